@@ -1,0 +1,25 @@
+// A GL context without a window: OSMesa, or EGL without a surface, whichever this machine has.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "render/renderer.h"
+
+namespace ember {
+
+enum class GlBackend { Auto, OsMesa, Egl };
+
+/// Current from construction to destruction. The libraries are opened at run time, so that the
+/// program starts where they are missing.
+class OffscreenContext {
+  public:
+    /// Auto tries OSMesa, then EGL. Throws RenderError that names what was tried and why it failed.
+    [[nodiscard]] static std::unique_ptr<OffscreenContext> create(GlBackend backend);
+    virtual ~OffscreenContext() = default;
+
+    [[nodiscard]] virtual GlLoader loader() const = 0;
+    [[nodiscard]] virtual std::string_view name() const = 0;  ///< "osmesa" or "egl"
+};
+
+}  // namespace ember

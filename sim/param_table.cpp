@@ -1,0 +1,387 @@
+#include "sim/param_table.h"
+
+#include <limits>
+
+namespace ember {
+namespace {
+
+using enum ParamScale;
+using enum ParamApplies;
+using detail::Access;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr std::string_view kBorders[] = {"tributary", "uniform"};
+constexpr std::string_view kShapes[] = {"flat", "cylinder"};
+constexpr std::string_view kPoses[] = {"hanging", "horizontal"};
+constexpr std::string_view kEdges[] = {"none",        "main_start", "main_end",
+                                       "cross_start", "cross_end",  "both_main_ends"};
+constexpr std::string_view kStiffnessLaws[] = {"per_area", "per_node_mass"};
+constexpr std::string_view kPatterns[] = {"per_fibre", "per_spring"};
+constexpr std::string_view kShrinkRules[] = {"both_burning", "half"};
+
+struct Text {
+    std::string_view help, source;
+};
+
+template <auto Group, auto Field>
+constexpr ParamInfo real(std::string_view key, std::string_view symbol, Unit unit, ParamRange hard,
+                         ParamRange tested, ParamScale scale, ParamApplies applies, Text text) {
+    return {key,   symbol,  unit,      ParamKind::Real, hard, tested,
+            scale, applies, text.help, text.source,     {},   &Access<Group, Field>::get,
+            &Access<Group, Field>::set};
+}
+
+template <auto Group, auto Field>
+constexpr ParamInfo integer(std::string_view key, std::string_view symbol, ParamRange hard,
+                            ParamRange tested, ParamApplies applies, Text text) {
+    return {key,    symbol,  unit::one, ParamKind::Integer, hard, tested,
+            Linear, applies, text.help, text.source,        {},   &Access<Group, Field>::get,
+            &Access<Group, Field>::set};
+}
+
+template <auto Group, auto Field>
+constexpr ParamInfo toggle(std::string_view key, ParamApplies applies, Text text) {
+    return {key,    "",      unit::one, ParamKind::Toggle, {0, 1}, {0, 1},
+            Linear, applies, text.help, text.source,       {},     &Access<Group, Field>::get,
+            &Access<Group, Field>::set};
+}
+
+template <auto Group, auto Field>
+constexpr ParamInfo choice(std::string_view key, std::span<const std::string_view> names,
+                           ParamApplies applies, Text text) {
+    const ParamRange all{0, static_cast<double>(names.size() - 1)};
+    return {key,    "",      unit::one, ParamKind::Choice, all,   all,
+            Linear, applies, text.help, text.source,       names, &Access<Group, Field>::get,
+            &Access<Group, Field>::set};
+}
+
+using P = Params;
+
+constexpr ParamInfo kRows[] = {
+    // ---- paper -------------------------------------------------------------------------------
+    real<&P::paper, &PaperParams::grammage>(
+        "paper.grammage", "G", unit::gram_per_square_metre, {5, 5000}, {25, 400}, Logarithmic,
+        Rebuild, {"Mass of one square metre. Heavier paper burns slower and crumples less.",
+                  "Sec. 3, table 2"}),
+    real<&P::paper, &PaperParams::density>(
+        "paper.density", "rho", unit::kilogram_per_cubic_metre, {50, 5000}, {250, 1500}, Linear,
+        Rebuild, {"Mass of one cubic metre; caliper is grammage / density. Denser paper conducts "
+                  "heat more slowly.", "Sec. 3, table 2"}),
+    real<&P::paper, &PaperParams::c_s>(
+        "paper.c_s", "c_s", unit::one, {1e-6, 1}, {1e-4, 1e-2}, Logarithmic, Rebuild,
+        {"Dimensional stability: the quality of the paper. Higher burns slower and shrinks less.",
+         "Sec. 4.1, eqs. 2 and 4"}),
+    real<&P::paper, &PaperParams::specific_heat>(
+        "paper.specific_heat", "c", unit::joule_per_kilogram_kelvin, {1, 1e5}, {1000, 2000},
+        Linear, Rebuild, {"Specific heat capacity. Higher heats up more slowly.", "Table 1"}),
+    real<&P::paper, &PaperParams::conductivity>(
+        "paper.conductivity", "D", unit::watt_per_metre_kelvin, {0, 10}, {0.02, 0.2}, Linear,
+        Rebuild, {"Thermal conductivity. Higher spreads heat faster along the fibres.",
+                  "Table 1"}),
+    // ---- shrinkage ---------------------------------------------------------------------------
+    real<&P::shrinkage, &ShrinkageParams::factor>(
+        "shrinkage.factor", "factor", unit::one, {0, 1e-6}, {1e-12, 50e-12}, Logarithmic, Live,
+        {"Scales the shrinking of burning fibres. Higher crumples more; 0 not at all.",
+         "Sec. 4.3, eq. 4"}),
+    real<&P::shrinkage, &ShrinkageParams::reference_step>(
+        "shrinkage.reference_step", "dt_ref", unit::millisecond, {0.01, 1000}, {1, 20},
+        Logarithmic, Live,
+        {"Time that one application of eq. 4 stands for; the paper does not say.", "Our choice"}),
+    real<&P::shrinkage, &ShrinkageParams::floor>(
+        "shrinkage.floor", "", unit::one, {0.01, 1}, {0.5, 0.9}, Linear, Live,
+        {"No fibre shrinks below this share of its initial length.", "Our choice"}),
+    choice<&P::shrinkage, &ShrinkageParams::rule>(
+        "shrinkage.rule", kShrinkRules, Live,
+        {"both_burning: eq. 4 where both ends burn, and by half for bending springs with one. "
+         "half: every spring shrinks in proportion to its burning ends.", "Sec. 4.3"}),
+    toggle<&P::shrinkage, &ShrinkageParams::literal_stiffness>(
+        "shrinkage.literal_stiffness", Live,
+        {"Use each kind's own stiffness as k_s in eq. 4, so that bending springs shrink less.",
+         "Sec. 4.3"}),
+    // ---- lighter -----------------------------------------------------------------------------
+    toggle<&P::lighter, &LighterParams::on>(
+        "lighter.on", Live, {"Whether the lighter is there at all.", "Sec. 4.2"}),
+    real<&P::lighter, &LighterParams::x>(
+        "lighter.x", "", unit::millimetre, {-5000, 5000}, {-300, 300}, Linear, Live,
+        {"Lighter position, to the right.", "Sec. 4.2"}),
+    real<&P::lighter, &LighterParams::y>(
+        "lighter.y", "", unit::millimetre, {-5000, 5000}, {0, 600}, Linear, Live,
+        {"Lighter position, height above the ground.", "Sec. 4.2"}),
+    real<&P::lighter, &LighterParams::z>(
+        "lighter.z", "", unit::millimetre, {-5000, 5000}, {-300, 300}, Linear, Live,
+        {"Lighter position, towards the viewer.", "Sec. 4.2"}),
+    real<&P::lighter, &LighterParams::radius>(
+        "lighter.radius", "", unit::millimetre, {0, 1000}, {1, 20}, Linear, Live,
+        {"Radius of the nozzle from which particles come.", "Our choice"}),
+    real<&P::lighter, &LighterParams::rate>(
+        "lighter.rate", "", unit::hertz, {0, 1e5}, {50, 1000}, Logarithmic, Live,
+        {"Fire particles per second.", "Our choice"}),
+    real<&P::lighter, &LighterParams::speed>(
+        "lighter.speed", "", unit::metre_per_second, {0, 50}, {0.1, 1}, Linear, Live,
+        {"Upward speed of its particles at birth.", "Our choice"}),
+    real<&P::lighter, &LighterParams::strength>(
+        "lighter.strength", "", unit::one, {0, 100}, {0.1, 4}, Linear, Live,
+        {"How much its particles heat, relative to fire.heating.", "Our choice"}),
+    real<&P::lighter, &LighterParams::start>(
+        "lighter.start", "", unit::second, {0, 3600}, {0, 10}, Linear, Live,
+        {"When it is lit.", "Our choice"}),
+    real<&P::lighter, &LighterParams::duration>(
+        "lighter.duration", "", unit::second, {0, 3600}, {0.2, 10}, Linear, Live,
+        {"For how long it burns.", "Our choice"}),
+    // ---- sheet -------------------------------------------------------------------------------
+    real<&P::sheet, &SheetParams::width>(
+        "sheet.width", "z", unit::millimetre, {1, 10000}, {20, 500}, Linear, Rebuild,
+        {"Size in the cross direction.", "Sec. 3, eq. 1"}),
+    real<&P::sheet, &SheetParams::height>(
+        "sheet.height", "x", unit::millimetre, {1, 10000}, {20, 500}, Linear, Rebuild,
+        {"Size in the main (machine) direction.", "Sec. 3, eq. 1"}),
+    integer<&P::sheet, &SheetParams::rows>(
+        "sheet.rows", "M", {1, 4096}, {16, 128}, Rebuild,
+        {"Lattice cells across the sheet (cross direction).", "Eq. 1, table 2"}),
+    integer<&P::sheet, &SheetParams::columns>(
+        "sheet.columns", "N", {1, 4096}, {24, 192}, Rebuild,
+        {"Lattice cells along the sheet (main direction).", "Eq. 1, table 2"}),
+    choice<&P::sheet, &SheetParams::border>(
+        "sheet.border", kBorders, Rebuild,
+        {"tributary: border nodes carry the mass of their share of the sheet, border springs are "
+         "half. uniform: all nodes and springs alike, as in the paper.", "Our choice"}),
+    choice<&P::sheet, &SheetParams::shape>(
+        "sheet.shape", kShapes, Rebuild,
+        {"flat, or closed to a tube along the main direction.", "Sec. 5"}),
+    choice<&P::sheet, &SheetParams::pose>(
+        "sheet.pose", kPoses, Rebuild, {"How the sheet starts.", "Our choice"}),
+    choice<&P::sheet, &SheetParams::held>(
+        "sheet.held", kEdges, Rebuild, {"The edge that is attached, and kept cold.", "Sec. 5"}),
+    integer<&P::sheet, &SheetParams::count>("sheet.count", "", {1, 64}, {1, 4}, Rebuild,
+                                            {"Sheets, one behind the other.", "Sec. 5"}),
+    real<&P::sheet, &SheetParams::gap>("sheet.gap", "", unit::millimetre, {0, 1000}, {5, 50},
+                                       Linear, Rebuild, {"Distance between them.", "Our choice"}),
+    real<&P::sheet, &SheetParams::elevation>(
+        "sheet.elevation", "", unit::millimetre, {-10000, 10000}, {0, 1000}, Linear, Rebuild,
+        {"Height of the highest edge above the ground at the start.", "Our choice"}),
+    real<&P::sheet, &SheetParams::imperfection>(
+        "sheet.imperfection", "", unit::millimetre, {0, 100}, {0.02, 1}, Logarithmic, Rebuild,
+        {"Amplitude of the sheet's initial waviness. A perfectly flat sheet cannot buckle.",
+         "Our choice"}),
+    // ---- springs -----------------------------------------------------------------------------
+    real<&P::springs, &SpringParams::stiffness_scale>(
+        "springs.stiffness_scale", "", unit::one, {0.01, 1e4}, {1, 200}, Logarithmic, Rebuild,
+        {"Multiplies every spring stiffness; 1 is the paper, which hangs like rubber.",
+         "Our choice"}),
+    real<&P::springs, &SpringParams::structural>(
+        "springs.structural", "k_structural", unit::per_second_squared, {0, 1e8}, {7e3, 7e3},
+        Logarithmic, Rebuild, {"Stiffness of structural springs per node weight.", "Sec. 4.1"}),
+    real<&P::springs, &SpringParams::diagonal>(
+        "springs.diagonal", "k_diagonal", unit::per_second_squared, {0, 1e8}, {7e3, 7e3},
+        Logarithmic, Rebuild, {"Stiffness of diagonal springs per node weight.", "Sec. 4.1"}),
+    real<&P::springs, &SpringParams::bending>(
+        "springs.bending", "k_bending", unit::per_second_squared, {0, 1e8}, {2e4, 2e4},
+        Logarithmic, Rebuild, {"Stiffness of bending springs per node weight.", "Sec. 4.1"}),
+    real<&P::springs, &SpringParams::damping>(
+        "springs.damping", "d", unit::hertz, {0, 1e5}, {5, 5}, Logarithmic, Rebuild,
+        {"Damping of every spring per node weight.", "Sec. 4.1"}),
+    choice<&P::springs, &SpringParams::stiffness_law>(
+        "springs.stiffness_law", kStiffnessLaws, Rebuild,
+        {"per_area: the sheet's stiffness does not depend on the lattice. per_node_mass: as "
+         "printed; equal at 32x48.", "Sec. 4.1"}),
+    real<&P::springs, &SpringParams::variation>(
+        "springs.variation", "", unit::percent, {0, 90}, {0, 10}, Linear, Rebuild,
+        {"Random variation of structural stiffness from fibre to fibre.", "Sec. 4.1, fig. 3"}),
+    choice<&P::springs, &SpringParams::variation_pattern>(
+        "springs.variation_pattern", kPatterns, Rebuild,
+        {"per_fibre: one value per fibre, long ones along the main direction. per_spring: each "
+         "spring its own.", "Sec. 4.1, fig. 3"}),
+    toggle<&P::springs, &SpringParams::follows_mass>(
+        "springs.follows_mass", Live,
+        {"A node that has lost mass has lost fibre: springs weaken with the mass of their lighter "
+         "end. Off is the paper.", "Our choice"}),
+    // ---- world -------------------------------------------------------------------------------
+    real<&P::world, &WorldParams::gravity>(
+        "world.gravity", "g", unit::metre_per_second_squared, {0, 1000}, {0, 9.81}, Linear, Live,
+        {"Downward acceleration.", "Our choice"}),
+    real<&P::world, &WorldParams::held_gravity>(
+        "world.held_gravity", "", unit::one, {0, 1}, {0.01, 1}, Logarithmic, Live,
+        {"Share of gravity felt by pieces that are still held: lets paper as soft as the paper's "
+         "hang without stretching.", "Our choice"}),
+    real<&P::world, &WorldParams::air_drag>(
+        "world.air_drag", "", unit::kilogram_per_second_square_metre, {0, 1000}, {0, 1}, Linear,
+        Live, {"Resistance of the air to motion across the sheet.", "Our choice"}),
+    real<&P::world, &WorldParams::air_drag_tangential>(
+        "world.air_drag_tangential", "", unit::one, {0, 1}, {0.05, 0.3}, Linear, Live,
+        {"Share of the air drag that acts along the sheet.", "Our choice"}),
+    toggle<&P::world, &WorldParams::ground>(
+        "world.ground", Live, {"Whether pieces come to rest on the ground.", "Our choice"}),
+    // ---- heat --------------------------------------------------------------------------------
+    real<&P::heat, &HeatParams::ambient>("heat.ambient", "", unit::celsius, {-200, 500}, {0, 40},
+                                         Linear, Rebuild,
+                                         {"Temperature of air and cold paper.", "Our choice"}),
+    real<&P::heat, &HeatParams::flame_limit>(
+        "heat.flame_limit", "T_max", unit::celsius, {0, 5000}, {900, 1300}, Linear, Live,
+        {"No fire heats paper above this.", "Our choice"}),
+    real<&P::heat, &HeatParams::convection>(
+        "heat.convection", "h", unit::watt_per_square_metre_kelvin, {0, 1e5}, {0, 60}, Linear,
+        Live, {"Heat lost to the air by each face; 0 is the paper. It acts on the sheet's true "
+               "heat capacity c G.", "Our choice"}),
+    real<&P::heat, &HeatParams::emissivity>(
+        "heat.emissivity", "eps", unit::one, {0, 1}, {0, 0.9}, Linear, Live,
+        {"Heat radiated by each face, as a share of a black body; 0 is the paper.",
+         "Our choice"}),
+    // ---- burning -----------------------------------------------------------------------------
+    real<&P::burning, &BurningParams::ignition>(
+        "burning.ignition", "", unit::celsius, {-200, 5000}, {300, 768}, Linear, Live,
+        {"A node starts to burn at this temperature.", "Sec. 4.2: 1.5 x 512"}),
+    real<&P::burning, &BurningParams::burn_rate>(
+        "burning.burn_rate", "", unit::gram_per_second_square_metre, {0, 1e5}, {25, 520},
+        Logarithmic, Live,
+        {"Mass lost by burning paper. The paper's 0.02 g/s per node is 520 here, and dies out.",
+         "Sec. 4.2"}),
+    real<&P::burning, &BurningParams::residual_mass>(
+        "burning.residual_mass", "", unit::percent, {1, 99}, {10, 30}, Linear, Live,
+        {"What is left of a node when it has burnt out.", "Sec. 4.2"}),
+    real<&P::burning, &BurningParams::heat_release>(
+        "burning.heat_release", "s", unit::kelvin_per_second, {0, 1e7}, {0, 4e4}, Linear, Live,
+        {"Heating of a burning node by its own flame.", "Sec. 4.2, eq. 2"}),
+    real<&P::burning, &BurningParams::burn_speed>(
+        "burning.burn_speed", "", unit::one, {0.01, 100}, {0.1, 10}, Logarithmic, Live,
+        {"Scales conduction, sources, losses and burn rate together: a faster front of the same "
+         "width.", "Our choice"}),
+    // ---- fire --------------------------------------------------------------------------------
+    real<&P::fire, &FireParams::temperature>(
+        "fire.temperature", "", unit::celsius, {-200, 5000}, {512, 512}, Linear, Live,
+        {"Temperature of a fire particle at birth.", "Sec. 4.2"}),
+    real<&P::fire, &FireParams::emission>(
+        "fire.emission", "", unit::per_second_square_metre, {0, 1e8}, {1e5, 3e6}, Logarithmic,
+        Live, {"Fire particles born per second and square metre of burning paper.",
+               "Our choice"}),
+    real<&P::fire, &FireParams::heating>(
+        "fire.heating", "A_0", unit::kelvin_per_second, {0, 1e7}, {500, 2e4}, Logarithmic, Live,
+        {"Heating by one particle at its centre, for 80 g/m^2 and c_s 2e-4.", "Our choice"}),
+    real<&P::fire, &FireParams::heating_limit>(
+        "fire.heating_limit", "S_max", unit::kelvin_per_second, {1, 1e8}, {8e3, 4e4}, Logarithmic,
+        Live, {"However many particles surround a node, they heat it no faster than this.",
+               "Our choice"}),
+    real<&P::fire, &FireParams::kernel_radius>(
+        "fire.kernel_radius", "r_k", unit::millimetre, {0.5, 1000}, {6, 22}, Linear, Live,
+        {"How far a particle reaches.", "Our choice"}),
+    real<&P::fire, &FireParams::absorption>(
+        "fire.absorption", "", unit::hertz, {0, 1e5}, {0, 100}, Linear, Live,
+        {"How fast a particle close to paper loses what it gives. 0: it heats every sheet of a "
+         "stack alike.", "Our choice"}),
+    real<&P::fire, &FireParams::node_strength>(
+        "fire.node_strength", "", unit::one, {0, 100}, {0, 2}, Linear, Live,
+        {"How much particles of burning nodes heat, relative to fire.heating.", "Our choice"}),
+    real<&P::fire, &FireParams::grammage_exponent>(
+        "fire.grammage_exponent", "", unit::one, {0, 2}, {0, 1}, Linear, Live,
+        {"Heating falls with grammage to this power; 1 is eq. 2 by the letter.", "Our choice"}),
+    real<&P::fire, &FireParams::stability_exponent>(
+        "fire.stability_exponent", "", unit::one, {0, 2}, {0, 1}, Linear, Live,
+        {"Heating falls with c_s to this power; 1 is eq. 2 by the letter.", "Our choice"}),
+    real<&P::fire, &FireParams::cooling_time>(
+        "fire.cooling_time", "", unit::second, {0.001, 1000}, {0.2, 1}, Linear, Live,
+        {"A particle's excess temperature falls to 37 % in this time.", "Our choice"}),
+    real<&P::fire, &FireParams::life_min>("fire.life_min", "", unit::second, {0.01, 60},
+                                          {0.2, 1}, Linear, Live,
+                                          {"Shortest life of a particle.", "Our choice"}),
+    real<&P::fire, &FireParams::life_max>("fire.life_max", "", unit::second, {0.01, 60},
+                                          {0.3, 2}, Linear, Live,
+                                          {"Longest life of a particle.", "Our choice"}),
+    real<&P::fire, &FireParams::rise_speed>(
+        "fire.rise_speed", "", unit::metre_per_second, {0, 50}, {0, 1}, Linear, Live,
+        {"Upward speed at birth of particles from burning nodes.", "Our choice"}),
+    real<&P::fire, &FireParams::lateral_speed>(
+        "fire.lateral_speed", "", unit::metre_per_second, {0, 50}, {0, 0.3}, Linear, Live,
+        {"Spread of the velocity at birth, standard deviation per axis.", "Our choice"}),
+    real<&P::fire, &FireParams::buoyancy>(
+        "fire.buoyancy", "", unit::metre_per_second_squared, {0, 1000}, {0, 10}, Linear, Live,
+        {"Upward acceleration of a particle as hot as at birth.", "Our choice"}),
+    real<&P::fire, &FireParams::drag>("fire.drag", "", unit::hertz, {0, 1000}, {0, 5}, Linear,
+                                      Live, {"How fast a particle is slowed by the air.",
+                                             "Our choice"}),
+    real<&P::fire, &FireParams::force>(
+        "fire.force", "f_ext", unit::kilogram_per_second_square_metre, {0, 100}, {0, 0.1}, Linear,
+        Live, {"Push of passing particles on the sheet.", "Sec. 4.2"}),
+    real<&P::fire, &FireParams::force_limit>(
+        "fire.force_limit", "", unit::metre_per_second_squared, {0, 1000}, {0, 5}, Linear, Live,
+        {"The push never accelerates a node by more than this.", "Our choice"}),
+    // ---- fracture ----------------------------------------------------------------------------
+    real<&P::fracture, &FractureParams::threshold>(
+        "fracture.threshold", "", unit::percent, {0, kInfinity}, {0.6, 4}, Logarithmic, Live,
+        {"A burnt bending spring breaks when stretched by this. Lower falls to smaller flakes; "
+         "inf never cracks.", "Sec. 4.4"}),
+    toggle<&P::fracture, &FractureParams::middle_burnt>(
+        "fracture.middle_burnt", Live,
+        {"The node between must be burnt out too. Off is the paper.", "Our choice"}),
+    real<&P::fracture, &FractureParams::relief_radius>(
+        "fracture.relief_radius", "", unit::millimetre, {0, 10000}, {0, 30}, Linear, Live,
+        {"A cut relieves the stress around it: no second cut within this distance ...",
+         "Our choice"}),
+    real<&P::fracture, &FractureParams::relief_time>(
+        "fracture.relief_time", "", unit::second, {0, 100}, {0, 0.5}, Linear, Live,
+        {"... for this long. 0 cuts everything over-stretched at once, as the paper does.",
+         "Our choice"}),
+    toggle<&P::fracture, &FractureParams::release_hinges>(
+        "fracture.release_hinges", Live,
+        {"Pieces that hang together by a single node let go.", "Our choice"}),
+    // ---- numerics ----------------------------------------------------------------------------
+    integer<&P::numerics, &NumericsParams::seed>(
+        "numerics.seed", "", {0, 9007199254740991.0}, {0, 1000}, Rebuild,
+        {"Same preset, same seed: same burn, bit for bit.", "Our choice"}),
+    real<&P::numerics, &NumericsParams::tick_rate>(
+        "numerics.tick_rate", "", unit::hertz, {1, 100000}, {30, 240}, Logarithmic, Rebuild,
+        {"Simulation ticks per simulated second.", "Our choice"}),
+    real<&P::numerics, &NumericsParams::safety>(
+        "numerics.safety", "", unit::one, {0.01, 10}, {0.5, 0.9}, Linear, Live,
+        {"Share of the computed stability bound that a sub-step may use.", "Our choice"}),
+    integer<&P::numerics, &NumericsParams::substeps_min>(
+        "numerics.substeps_min", "", {1, 100000}, {1, 100}, Live,
+        {"At least this many sub-steps per tick.", "Our choice"}),
+    toggle<&P::numerics, &NumericsParams::check>(
+        "numerics.check", Live,
+        {"Watch every tick for non-finite numbers and energy from nowhere; roll back and retry.",
+         "Our choice"}),
+};
+
+static_assert(row_count(kRows, "paper") == field_count<PaperParams>, "every field needs a row");
+static_assert(row_count(kRows, "sheet") == field_count<SheetParams>, "every field needs a row");
+static_assert(row_count(kRows, "springs") == field_count<SpringParams>, "every field needs a row");
+static_assert(row_count(kRows, "world") == field_count<WorldParams>, "every field needs a row");
+static_assert(row_count(kRows, "heat") == field_count<HeatParams>, "every field needs a row");
+static_assert(row_count(kRows, "burning") == field_count<BurningParams>, "every field needs a row");
+static_assert(row_count(kRows, "fire") == field_count<FireParams>, "every field needs a row");
+static_assert(row_count(kRows, "lighter") == field_count<LighterParams>, "every field needs a row");
+static_assert(row_count(kRows, "shrinkage") == field_count<ShrinkageParams>,
+              "every field needs a row");
+static_assert(row_count(kRows, "fracture") == field_count<FractureParams>,
+              "every field needs a row");
+static_assert(row_count(kRows, "numerics") == field_count<NumericsParams>,
+              "every field needs a row");
+static_assert(field_count<Params> == 11, "every group needs rows and an assertion above");
+
+}  // namespace
+
+std::span<const ParamInfo> sim_param_rows() { return kRows; }
+
+ParamBinding bind(Params& params) { return {kRows, &params}; }
+
+std::vector<std::string> plausibility_warnings(const Params& params) {
+    std::vector<std::string> warnings;
+    const auto warn_if = [&](bool condition, const char* text) {
+        if (condition) warnings.emplace_back(text);
+    };
+    warn_if(params.heat.flame_limit <= params.burning.ignition,
+            "heat.flame_limit is not above burning.ignition: nothing can ignite");
+    warn_if(params.fire.life_max < params.fire.life_min,
+            "fire.life_max is below fire.life_min: particles live between the two all the same");
+    warn_if(params.sheet.held == HeldEdge::None && params.world.gravity > 0,
+            "sheet.held is none: the sheet falls at once");
+    const double held_gravity = params.world.gravity * params.world.held_gravity;
+    warn_if(held_gravity / params.springs.stiffness_scale > 0.1,
+            "gravity over springs.stiffness_scale is above 0.1 m/s^2: the sheet hangs like rubber; "
+            "raise the scale or lower world.held_gravity");
+    warn_if(params.numerics.safety > 1,
+            "numerics.safety is above 1: sub-steps may be unstable and will be rolled back");
+    return warnings;
+}
+
+}  // namespace ember

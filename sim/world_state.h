@@ -1,0 +1,135 @@
+// The state of a world: everything that evolves, and nothing else. A snapshot is a copy of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/types.h"
+#include "sim/world_view.h"
+
+namespace ember {
+
+/// What evolves on one sheet. Node n < site count is the first copy of site n; cuts append copies.
+struct SheetState {
+    // per node, N
+    Vector3Array position;                   ///< [m]
+    Vector3Array velocity;                   ///< [m/s]
+    std::vector<double> temperature;         ///< [K]
+    std::vector<double> mass;                ///< [kg]
+    std::vector<double> initial_mass;        ///< [kg] before burning; shared out when a node splits
+    std::vector<double> ignition_time;       ///< [s], +inf before
+    std::vector<double> burnout_time;        ///< [s], +inf before
+    std::vector<Phase> phase;
+    std::vector<Index> site;                 ///< lattice site of each node
+    std::vector<std::uint8_t> held;          ///< 1: attached, never moves
+    std::vector<std::uint8_t> piece_held;    ///< 1: its piece hangs on a held node
+    // per lattice site, S
+    std::vector<std::uint8_t> glue;          ///< bit d: quads on both sides of edge d share a node
+    std::vector<double> relief_until;        ///< [s] no cut at this site before
+    // per spring slot, 6×S (see lattice.h)
+    std::vector<double> rest_length;         ///< [m]
+    // per quad, Q
+    std::vector<Quad> quads;
+    std::uint64_t topology_version = 0;
+};
+
+/// Fire particles, P; a particle keeps its id for life.
+struct FireState {
+    Vector3Array position;                   ///< [m]
+    Vector3Array velocity;                   ///< [m/s]
+    std::vector<double> temperature;         ///< [K]
+    std::vector<double> strength;            ///< [1] relative heating
+    std::vector<double> birth, death;        ///< [s]
+    std::vector<std::uint64_t> id;           ///< (emitter, number), hashed
+
+    [[nodiscard]] std::size_t size() const { return id.size(); }
+};
+
+/// Where mechanical energy went since t = 0 [J]. See energy.h.
+struct EnergyLedger {
+    double initial = 0;                              ///< kinetic + elastic + gravitational
+    double kinetic = 0, elastic = 0, gravitational = 0;  ///< now
+    double work_fire = 0;                            ///< by fire particles
+    double loss_damping = 0, loss_drag = 0;          ///< in springs, to the air; never negative
+    double change_ground = 0;                        ///< pieces coming to rest
+    double change_mass = 0;                          ///< mass burnt off and springs weakened
+    double change_rest_length = 0;                   ///< shrinking
+    double change_topology = 0;                      ///< cuts
+    double change_edit = 0;                          ///< live parameters
+};
+
+/// Where heat went since t = 0 [J]. See heat.h.
+struct HeatLedger {
+    double stored = 0;                               ///< above ambient, now
+    double given_fire = 0, given_burning = 0;        ///< by particles and by burning itself
+    double lost_air = 0, lost_held = 0;              ///< to the air, to held edges
+};
+
+/// Totals since t = 0.
+struct Totals {
+    std::int64_t cuts = 0;
+    std::int64_t ignitions = 0, burnouts = 0;
+    std::int64_t retries = 0;
+    double burnt_mass = 0;                           ///< [kg] gone up in flames
+};
+
+struct WorldState {
+    std::uint64_t tick = 0;
+    double time = 0;                                 ///< [s]
+    std::vector<SheetState> sheets;
+    FireState fire;
+    EnergyLedger energy;
+    HeatLedger heat;
+    Totals totals;
+};
+
+/// Calls visit(name, array) for every array of the state, and visit(name, value) for every single
+/// number: the one list behind hashing and checkpoints.
+template <class State, class Visitor>
+void for_each_field(State& state, Visitor&& visit);
+
+/// 64-bit hash of every field of the state, independent of the platform's memory layout.
+[[nodiscard]] std::uint64_t hash_of(const WorldState& state);
+
+template <class State, class Visitor>
+void for_each_field(State& s, Visitor&& visit) {
+    const auto vectors = [&visit](const char* name, auto& v) {
+        visit(name, v.x), visit(name, v.y), visit(name, v.z);
+    };
+    visit("tick", s.tick), visit("time", s.time);
+    for (auto& sheet : s.sheets) {
+        vectors("sheet.position", sheet.position), vectors("sheet.velocity", sheet.velocity);
+        visit("sheet.temperature", sheet.temperature), visit("sheet.mass", sheet.mass);
+        visit("sheet.initial_mass", sheet.initial_mass);
+        visit("sheet.ignition_time", sheet.ignition_time);
+        visit("sheet.burnout_time", sheet.burnout_time), visit("sheet.phase", sheet.phase);
+        visit("sheet.site", sheet.site), visit("sheet.held", sheet.held);
+        visit("sheet.piece_held", sheet.piece_held), visit("sheet.glue", sheet.glue);
+        visit("sheet.relief_until", sheet.relief_until);
+        visit("sheet.rest_length", sheet.rest_length), visit("sheet.quads", sheet.quads);
+        visit("sheet.topology_version", sheet.topology_version);
+    }
+    vectors("fire.position", s.fire.position), vectors("fire.velocity", s.fire.velocity);
+    visit("fire.temperature", s.fire.temperature), visit("fire.strength", s.fire.strength);
+    visit("fire.birth", s.fire.birth), visit("fire.death", s.fire.death);
+    visit("fire.id", s.fire.id);
+    auto& e = s.energy;
+    visit("energy.initial", e.initial), visit("energy.kinetic", e.kinetic);
+    visit("energy.elastic", e.elastic), visit("energy.gravitational", e.gravitational);
+    visit("energy.work_fire", e.work_fire), visit("energy.loss_damping", e.loss_damping);
+    visit("energy.loss_drag", e.loss_drag), visit("energy.change_ground", e.change_ground);
+    visit("energy.change_mass", e.change_mass);
+    visit("energy.change_rest_length", e.change_rest_length);
+    visit("energy.change_topology", e.change_topology), visit("energy.change_edit", e.change_edit);
+    auto& h = s.heat;
+    visit("heat.stored", h.stored), visit("heat.given_fire", h.given_fire);
+    visit("heat.given_burning", h.given_burning), visit("heat.lost_air", h.lost_air);
+    visit("heat.lost_held", h.lost_held);
+    auto& t = s.totals;
+    visit("totals.cuts", t.cuts), visit("totals.ignitions", t.ignitions);
+    visit("totals.burnouts", t.burnouts), visit("totals.retries", t.retries);
+    visit("totals.burnt_mass", t.burnt_mass);
+}
+
+}  // namespace ember
