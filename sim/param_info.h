@@ -1,4 +1,5 @@
-// One row per parameter. The row drives preset files, --set, sliders, tooltips, validation and docs.
+// One row per parameter. The row drives preset files, --set, sliders, tooltips, validation and
+// docs.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,9 @@ enum class ParamApplies { Live, Rebuild };  ///< acts on the next step, or resta
 /// An interval in the row's shown unit; both ends belong to it.
 struct ParamRange {
     double min, max;
-    [[nodiscard]] constexpr bool contains(double shown) const { return shown >= min && shown <= max; }
+    [[nodiscard]] constexpr bool contains(double shown) const {
+        return shown >= min && shown <= max;
+    }
 };
 
 /// Everything that is known about one parameter except its default, which is the member
@@ -26,12 +29,12 @@ struct ParamInfo {
     std::string_view symbol;  ///< as the paper writes it, or empty
     Unit unit;                ///< shown unit; the field itself is SI
     ParamKind kind;
-    ParamRange hard;          ///< outside: an error [shown unit]
-    ParamRange tested;        ///< the range that the paper or our calibration covers [shown unit]
+    ParamRange hard;    ///< outside: an error [shown unit]
+    ParamRange tested;  ///< the range that the paper or our calibration covers [shown unit]
     ParamScale scale;
     ParamApplies applies;
-    std::string_view help;    ///< what it means and which way it acts
-    std::string_view source;  ///< paper section, or "our choice"
+    std::string_view help;                      ///< what it means and which way it acts
+    std::string_view source;                    ///< paper section, or "our choice"
     std::span<const std::string_view> choices;  ///< names of a Choice, in the order of its enum
     double (*get)(const void* object);          ///< value in SI (integers, toggles, choices as is)
     void (*set)(void* object, double si);
@@ -93,7 +96,8 @@ inline constexpr std::size_t field_count = detail::count_fields<Group>();
 /// Number of rows whose key starts with "group.".
 consteval std::size_t row_count(std::span<const ParamInfo> rows, std::string_view group) {
     std::size_t count = 0;
-    for (const ParamInfo& row : rows) count += row.group() == group ? 1u : 0u;
+    for (const ParamInfo& row : rows)
+        count += row.group() == group ? 1u : 0u;
     return count;
 }
 

@@ -27,23 +27,53 @@ struct Text {
 template <auto Group, auto Field>
 constexpr ParamInfo real(std::string_view key, std::string_view symbol, Unit unit, ParamRange hard,
                          ParamRange tested, ParamScale scale, ParamApplies applies, Text text) {
-    return {key,   symbol,  unit,      ParamKind::Real, hard, tested,
-            scale, applies, text.help, text.source,     {},   &Access<Group, Field>::get,
+    return {key,
+            symbol,
+            unit,
+            ParamKind::Real,
+            hard,
+            tested,
+            scale,
+            applies,
+            text.help,
+            text.source,
+            {},
+            &Access<Group, Field>::get,
             &Access<Group, Field>::set};
 }
 
 template <auto Group, auto Field>
 constexpr ParamInfo integer(std::string_view key, std::string_view symbol, ParamRange hard,
                             ParamRange tested, ParamApplies applies, Text text) {
-    return {key,    symbol,  unit::one, ParamKind::Integer, hard, tested,
-            Linear, applies, text.help, text.source,        {},   &Access<Group, Field>::get,
+    return {key,
+            symbol,
+            unit::one,
+            ParamKind::Integer,
+            hard,
+            tested,
+            Linear,
+            applies,
+            text.help,
+            text.source,
+            {},
+            &Access<Group, Field>::get,
             &Access<Group, Field>::set};
 }
 
 template <auto Group, auto Field>
 constexpr ParamInfo toggle(std::string_view key, ParamApplies applies, Text text) {
-    return {key,    "",      unit::one, ParamKind::Toggle, {0, 1}, {0, 1},
-            Linear, applies, text.help, text.source,       {},     &Access<Group, Field>::get,
+    return {key,
+            "",
+            unit::one,
+            ParamKind::Toggle,
+            {0, 1},
+            {0, 1},
+            Linear,
+            applies,
+            text.help,
+            text.source,
+            {},
+            &Access<Group, Field>::get,
             &Access<Group, Field>::set};
 }
 
@@ -51,8 +81,18 @@ template <auto Group, auto Field>
 constexpr ParamInfo choice(std::string_view key, std::span<const std::string_view> names,
                            ParamApplies applies, Text text) {
     const ParamRange all{0, static_cast<double>(names.size() - 1)};
-    return {key,    "",      unit::one, ParamKind::Choice, all,   all,
-            Linear, applies, text.help, text.source,       names, &Access<Group, Field>::get,
+    return {key,
+            "",
+            unit::one,
+            ParamKind::Choice,
+            all,
+            all,
+            Linear,
+            applies,
+            text.help,
+            text.source,
+            names,
+            &Access<Group, Field>::get,
             &Access<Group, Field>::set};
 }
 
@@ -62,31 +102,33 @@ constexpr ParamInfo kRows[] = {
     // ---- paper -------------------------------------------------------------------------------
     real<&P::paper, &PaperParams::grammage>(
         "paper.grammage", "G", unit::gram_per_square_metre, {5, 5000}, {25, 400}, Logarithmic,
-        Rebuild, {"Mass of one square metre. Heavier paper burns slower and crumples less.",
-                  "Sec. 3, table 2"}),
+        Rebuild,
+        {"Mass of one square metre. Heavier paper burns slower and crumples less.",
+         "Sec. 3, table 2"}),
     real<&P::paper, &PaperParams::density>(
         "paper.density", "rho", unit::kilogram_per_cubic_metre, {50, 5000}, {250, 1500}, Linear,
-        Rebuild, {"Mass of one cubic metre; caliper is grammage / density. Denser paper conducts "
-                  "heat more slowly.", "Sec. 3, table 2"}),
+        Rebuild,
+        {"Mass of one cubic metre; caliper is grammage / density. Denser paper conducts "
+         "heat more slowly.",
+         "Sec. 3, table 2"}),
     real<&P::paper, &PaperParams::c_s>(
         "paper.c_s", "c_s", unit::one, {1e-6, 1}, {1e-4, 1e-2}, Logarithmic, Rebuild,
         {"Dimensional stability: the quality of the paper. Higher burns slower and shrinks less.",
          "Sec. 4.1, eqs. 2 and 4"}),
     real<&P::paper, &PaperParams::specific_heat>(
-        "paper.specific_heat", "c", unit::joule_per_kilogram_kelvin, {1, 1e5}, {1000, 2000},
-        Linear, Rebuild, {"Specific heat capacity. Higher heats up more slowly.", "Table 1"}),
+        "paper.specific_heat", "c", unit::joule_per_kilogram_kelvin, {1, 1e5}, {1000, 2000}, Linear,
+        Rebuild, {"Specific heat capacity. Higher heats up more slowly.", "Table 1"}),
     real<&P::paper, &PaperParams::conductivity>(
         "paper.conductivity", "D", unit::watt_per_metre_kelvin, {0, 10}, {0.02, 0.2}, Linear,
-        Rebuild, {"Thermal conductivity. Higher spreads heat faster along the fibres.",
-                  "Table 1"}),
+        Rebuild, {"Thermal conductivity. Higher spreads heat faster along the fibres.", "Table 1"}),
     // ---- shrinkage ---------------------------------------------------------------------------
     real<&P::shrinkage, &ShrinkageParams::factor>(
         "shrinkage.factor", "factor", unit::one, {0, 1e-6}, {1e-12, 50e-12}, Logarithmic, Live,
         {"Scales the shrinking of burning fibres. Higher crumples more; 0 not at all.",
          "Sec. 4.3, eq. 4"}),
     real<&P::shrinkage, &ShrinkageParams::reference_step>(
-        "shrinkage.reference_step", "dt_ref", unit::millisecond, {0.01, 1000}, {1, 20},
-        Logarithmic, Live,
+        "shrinkage.reference_step", "dt_ref", unit::millisecond, {0.01, 1000}, {1, 20}, Logarithmic,
+        Live,
         {"Time that one application of eq. 4 stands for; the paper does not say.", "Our choice"}),
     real<&P::shrinkage, &ShrinkageParams::floor>(
         "shrinkage.floor", "", unit::one, {0.01, 1}, {0.5, 0.9}, Linear, Live,
@@ -94,45 +136,45 @@ constexpr ParamInfo kRows[] = {
     choice<&P::shrinkage, &ShrinkageParams::rule>(
         "shrinkage.rule", kShrinkRules, Live,
         {"both_burning: eq. 4 where both ends burn, and by half for bending springs with one. "
-         "half: every spring shrinks in proportion to its burning ends.", "Sec. 4.3"}),
+         "half: every spring shrinks in proportion to its burning ends.",
+         "Sec. 4.3"}),
     toggle<&P::shrinkage, &ShrinkageParams::literal_stiffness>(
         "shrinkage.literal_stiffness", Live,
         {"Use each kind's own stiffness as k_s in eq. 4, so that bending springs shrink less.",
          "Sec. 4.3"}),
     // ---- lighter -----------------------------------------------------------------------------
-    toggle<&P::lighter, &LighterParams::on>(
-        "lighter.on", Live, {"Whether the lighter is there at all.", "Sec. 4.2"}),
-    real<&P::lighter, &LighterParams::x>(
-        "lighter.x", "", unit::millimetre, {-5000, 5000}, {-300, 300}, Linear, Live,
-        {"Lighter position, to the right.", "Sec. 4.2"}),
+    toggle<&P::lighter, &LighterParams::on>("lighter.on", Live,
+                                            {"Whether the lighter is there at all.", "Sec. 4.2"}),
+    real<&P::lighter, &LighterParams::x>("lighter.x", "", unit::millimetre, {-5000, 5000},
+                                         {-300, 300}, Linear, Live,
+                                         {"Lighter position, to the right.", "Sec. 4.2"}),
     real<&P::lighter, &LighterParams::y>(
         "lighter.y", "", unit::millimetre, {-5000, 5000}, {0, 600}, Linear, Live,
         {"Lighter position, height above the ground.", "Sec. 4.2"}),
-    real<&P::lighter, &LighterParams::z>(
-        "lighter.z", "", unit::millimetre, {-5000, 5000}, {-300, 300}, Linear, Live,
-        {"Lighter position, towards the viewer.", "Sec. 4.2"}),
+    real<&P::lighter, &LighterParams::z>("lighter.z", "", unit::millimetre, {-5000, 5000},
+                                         {-300, 300}, Linear, Live,
+                                         {"Lighter position, towards the viewer.", "Sec. 4.2"}),
     real<&P::lighter, &LighterParams::radius>(
         "lighter.radius", "", unit::millimetre, {0, 1000}, {1, 20}, Linear, Live,
         {"Radius of the nozzle from which particles come.", "Our choice"}),
-    real<&P::lighter, &LighterParams::rate>(
-        "lighter.rate", "", unit::hertz, {0, 1e5}, {50, 1000}, Logarithmic, Live,
-        {"Fire particles per second.", "Our choice"}),
+    real<&P::lighter, &LighterParams::rate>("lighter.rate", "", unit::hertz, {0, 1e5}, {50, 1000},
+                                            Logarithmic, Live,
+                                            {"Fire particles per second.", "Our choice"}),
     real<&P::lighter, &LighterParams::speed>(
         "lighter.speed", "", unit::metre_per_second, {0, 50}, {0.1, 1}, Linear, Live,
         {"Upward speed of its particles at birth.", "Our choice"}),
     real<&P::lighter, &LighterParams::strength>(
         "lighter.strength", "", unit::one, {0, 100}, {0.1, 4}, Linear, Live,
         {"How much its particles heat, relative to fire.heating.", "Our choice"}),
-    real<&P::lighter, &LighterParams::start>(
-        "lighter.start", "", unit::second, {0, 3600}, {0, 10}, Linear, Live,
-        {"When it is lit.", "Our choice"}),
-    real<&P::lighter, &LighterParams::duration>(
-        "lighter.duration", "", unit::second, {0, 3600}, {0.2, 10}, Linear, Live,
-        {"For how long it burns.", "Our choice"}),
+    real<&P::lighter, &LighterParams::start>("lighter.start", "", unit::second, {0, 3600}, {0, 10},
+                                             Linear, Live, {"When it is lit.", "Our choice"}),
+    real<&P::lighter, &LighterParams::duration>("lighter.duration", "", unit::second, {0, 3600},
+                                                {0.2, 10}, Linear, Live,
+                                                {"For how long it burns.", "Our choice"}),
     // ---- sheet -------------------------------------------------------------------------------
-    real<&P::sheet, &SheetParams::width>(
-        "sheet.width", "z", unit::millimetre, {1, 10000}, {20, 500}, Linear, Rebuild,
-        {"Size in the cross direction.", "Sec. 3, eq. 1"}),
+    real<&P::sheet, &SheetParams::width>("sheet.width", "z", unit::millimetre, {1, 10000},
+                                         {20, 500}, Linear, Rebuild,
+                                         {"Size in the cross direction.", "Sec. 3, eq. 1"}),
     real<&P::sheet, &SheetParams::height>(
         "sheet.height", "x", unit::millimetre, {1, 10000}, {20, 500}, Linear, Rebuild,
         {"Size in the main (machine) direction.", "Sec. 3, eq. 1"}),
@@ -145,14 +187,15 @@ constexpr ParamInfo kRows[] = {
     choice<&P::sheet, &SheetParams::border>(
         "sheet.border", kBorders, Rebuild,
         {"tributary: border nodes carry the mass of their share of the sheet, border springs are "
-         "half. uniform: all nodes and springs alike, as in the paper.", "Our choice"}),
+         "half. uniform: all nodes and springs alike, as in the paper.",
+         "Our choice"}),
     choice<&P::sheet, &SheetParams::shape>(
         "sheet.shape", kShapes, Rebuild,
         {"flat, or closed to a tube along the main direction.", "Sec. 5"}),
-    choice<&P::sheet, &SheetParams::pose>(
-        "sheet.pose", kPoses, Rebuild, {"How the sheet starts.", "Our choice"}),
-    choice<&P::sheet, &SheetParams::held>(
-        "sheet.held", kEdges, Rebuild, {"The edge that is attached, and kept cold.", "Sec. 5"}),
+    choice<&P::sheet, &SheetParams::pose>("sheet.pose", kPoses, Rebuild,
+                                          {"How the sheet starts.", "Our choice"}),
+    choice<&P::sheet, &SheetParams::held>("sheet.held", kEdges, Rebuild,
+                                          {"The edge that is attached, and kept cold.", "Sec. 5"}),
     integer<&P::sheet, &SheetParams::count>("sheet.count", "", {1, 64}, {1, 4}, Rebuild,
                                             {"Sheets, one behind the other.", "Sec. 5"}),
     real<&P::sheet, &SheetParams::gap>("sheet.gap", "", unit::millimetre, {0, 1000}, {5, 50},
@@ -176,34 +219,39 @@ constexpr ParamInfo kRows[] = {
         "springs.diagonal", "k_diagonal", unit::per_second_squared, {0, 1e8}, {7e3, 7e3},
         Logarithmic, Rebuild, {"Stiffness of diagonal springs per node weight.", "Sec. 4.1"}),
     real<&P::springs, &SpringParams::bending>(
-        "springs.bending", "k_bending", unit::per_second_squared, {0, 1e8}, {2e4, 2e4},
-        Logarithmic, Rebuild, {"Stiffness of bending springs per node weight.", "Sec. 4.1"}),
+        "springs.bending", "k_bending", unit::per_second_squared, {0, 1e8}, {2e4, 2e4}, Logarithmic,
+        Rebuild, {"Stiffness of bending springs per node weight.", "Sec. 4.1"}),
     real<&P::springs, &SpringParams::damping>(
         "springs.damping", "d", unit::hertz, {0, 1e5}, {5, 5}, Logarithmic, Rebuild,
         {"Damping of every spring per node weight.", "Sec. 4.1"}),
     choice<&P::springs, &SpringParams::stiffness_law>(
         "springs.stiffness_law", kStiffnessLaws, Rebuild,
         {"per_area: the sheet's stiffness does not depend on the lattice. per_node_mass: as "
-         "printed; equal at 32x48.", "Sec. 4.1"}),
+         "printed; equal at 32x48.",
+         "Sec. 4.1"}),
     real<&P::springs, &SpringParams::variation>(
-        "springs.variation", "", unit::percent, {0, 90}, {0, 10}, Linear, Rebuild,
+        "springs.variation", "", unit::percent,
+        {0, 90}, {0, 10}, Linear, Rebuild,
         {"Random variation of structural stiffness from fibre to fibre.", "Sec. 4.1, fig. 3"}),
     choice<&P::springs, &SpringParams::variation_pattern>(
         "springs.variation_pattern", kPatterns, Rebuild,
         {"per_fibre: one value per fibre, long ones along the main direction. per_spring: each "
-         "spring its own.", "Sec. 4.1, fig. 3"}),
+         "spring its own.",
+         "Sec. 4.1, fig. 3"}),
     toggle<&P::springs, &SpringParams::follows_mass>(
         "springs.follows_mass", Live,
         {"A node that has lost mass has lost fibre: springs weaken with the mass of their lighter "
-         "end. Off is the paper.", "Our choice"}),
+         "end. Off is the paper.",
+         "Our choice"}),
     // ---- world -------------------------------------------------------------------------------
-    real<&P::world, &WorldParams::gravity>(
-        "world.gravity", "g", unit::metre_per_second_squared, {0, 1000}, {0, 9.81}, Linear, Live,
-        {"Downward acceleration.", "Our choice"}),
+    real<&P::world, &WorldParams::gravity>("world.gravity", "g", unit::metre_per_second_squared,
+                                           {0, 1000}, {0, 9.81}, Linear, Live,
+                                           {"Downward acceleration.", "Our choice"}),
     real<&P::world, &WorldParams::held_gravity>(
         "world.held_gravity", "", unit::one, {0, 1}, {0.01, 1}, Logarithmic, Live,
         {"Share of gravity felt by pieces that are still held: lets paper as soft as the paper's "
-         "hang without stretching.", "Our choice"}),
+         "hang without stretching.",
+         "Our choice"}),
     real<&P::world, &WorldParams::air_drag>(
         "world.air_drag", "", unit::kilogram_per_second_square_metre, {0, 1000}, {0, 1}, Linear,
         Live, {"Resistance of the air to motion across the sheet.", "Our choice"}),
@@ -216,17 +264,17 @@ constexpr ParamInfo kRows[] = {
     real<&P::heat, &HeatParams::ambient>("heat.ambient", "", unit::celsius, {-200, 500}, {0, 40},
                                          Linear, Rebuild,
                                          {"Temperature of air and cold paper.", "Our choice"}),
-    real<&P::heat, &HeatParams::flame_limit>(
-        "heat.flame_limit", "T_max", unit::celsius, {0, 5000}, {900, 1300}, Linear, Live,
-        {"No fire heats paper above this.", "Our choice"}),
+    real<&P::heat, &HeatParams::flame_limit>("heat.flame_limit", "T_max", unit::celsius, {0, 5000},
+                                             {900, 1300}, Linear, Live,
+                                             {"No fire heats paper above this.", "Our choice"}),
     real<&P::heat, &HeatParams::convection>(
-        "heat.convection", "h", unit::watt_per_square_metre_kelvin, {0, 1e5}, {0, 60}, Linear,
-        Live, {"Heat lost to the air by each face; 0 is the paper. It acts on the sheet's true "
-               "heat capacity c G.", "Our choice"}),
+        "heat.convection", "h", unit::watt_per_square_metre_kelvin, {0, 1e5}, {0, 60}, Linear, Live,
+        {"Heat lost to the air by each face; 0 is the paper. It acts on the sheet's true "
+         "heat capacity c G.",
+         "Our choice"}),
     real<&P::heat, &HeatParams::emissivity>(
         "heat.emissivity", "eps", unit::one, {0, 1}, {0, 0.9}, Linear, Live,
-        {"Heat radiated by each face, as a share of a black body; 0 is the paper.",
-         "Our choice"}),
+        {"Heat radiated by each face, as a share of a black body; 0 is the paper.", "Our choice"}),
     // ---- burning -----------------------------------------------------------------------------
     real<&P::burning, &BurningParams::ignition>(
         "burning.ignition", "", unit::celsius, {-200, 5000}, {300, 768}, Linear, Live,
@@ -245,29 +293,32 @@ constexpr ParamInfo kRows[] = {
     real<&P::burning, &BurningParams::burn_speed>(
         "burning.burn_speed", "", unit::one, {0.01, 100}, {0.1, 10}, Logarithmic, Live,
         {"Scales conduction, sources, losses and burn rate together: a faster front of the same "
-         "width.", "Our choice"}),
+         "width.",
+         "Our choice"}),
     // ---- fire --------------------------------------------------------------------------------
     real<&P::fire, &FireParams::temperature>(
         "fire.temperature", "", unit::celsius, {-200, 5000}, {512, 512}, Linear, Live,
         {"Temperature of a fire particle at birth.", "Sec. 4.2"}),
     real<&P::fire, &FireParams::emission>(
-        "fire.emission", "", unit::per_second_square_metre, {0, 1e8}, {1e5, 3e6}, Logarithmic,
-        Live, {"Fire particles born per second and square metre of burning paper.",
-               "Our choice"}),
+        "fire.emission", "", unit::per_second_square_metre, {0, 1e8}, {1e5, 3e6}, Logarithmic, Live,
+        {"Fire particles born per second and square metre of burning paper.", "Our choice"}),
     real<&P::fire, &FireParams::heating>(
         "fire.heating", "A_0", unit::kelvin_per_second, {0, 1e7}, {500, 2e4}, Logarithmic, Live,
         {"Heating by one particle at its centre, for 80 g/m^2 and c_s 2e-4.", "Our choice"}),
     real<&P::fire, &FireParams::heating_limit>(
         "fire.heating_limit", "S_max", unit::kelvin_per_second, {1, 1e8}, {8e3, 4e4}, Logarithmic,
-        Live, {"However many particles surround a node, they heat it no faster than this.",
-               "Our choice"}),
-    real<&P::fire, &FireParams::kernel_radius>(
-        "fire.kernel_radius", "r_k", unit::millimetre, {0.5, 1000}, {6, 22}, Linear, Live,
-        {"How far a particle reaches.", "Our choice"}),
+        Live,
+        {"However many particles surround a node, they heat it no faster than this.",
+         "Our choice"}),
+    real<&P::fire, &FireParams::kernel_radius>("fire.kernel_radius", "r_k", unit::millimetre,
+                                               {0.5, 1000}, {6, 22}, Linear, Live,
+                                               {"How far a particle reaches.", "Our choice"}),
     real<&P::fire, &FireParams::absorption>(
-        "fire.absorption", "", unit::hertz, {0, 1e5}, {0, 100}, Linear, Live,
+        "fire.absorption", "", unit::hertz,
+        {0, 1e5}, {0, 100}, Linear, Live,
         {"How fast a particle close to paper loses what it gives. 0: it heats every sheet of a "
-         "stack alike.", "Our choice"}),
+         "stack alike.",
+         "Our choice"}),
     real<&P::fire, &FireParams::node_strength>(
         "fire.node_strength", "", unit::one, {0, 100}, {0, 2}, Linear, Live,
         {"How much particles of burning nodes heat, relative to fire.heating.", "Our choice"}),
@@ -280,11 +331,11 @@ constexpr ParamInfo kRows[] = {
     real<&P::fire, &FireParams::cooling_time>(
         "fire.cooling_time", "", unit::second, {0.001, 1000}, {0.2, 1}, Linear, Live,
         {"A particle's excess temperature falls to 37 % in this time.", "Our choice"}),
-    real<&P::fire, &FireParams::life_min>("fire.life_min", "", unit::second, {0.01, 60},
-                                          {0.2, 1}, Linear, Live,
+    real<&P::fire, &FireParams::life_min>("fire.life_min", "", unit::second, {0.01, 60}, {0.2, 1},
+                                          Linear, Live,
                                           {"Shortest life of a particle.", "Our choice"}),
-    real<&P::fire, &FireParams::life_max>("fire.life_max", "", unit::second, {0.01, 60},
-                                          {0.3, 2}, Linear, Live,
+    real<&P::fire, &FireParams::life_max>("fire.life_max", "", unit::second, {0.01, 60}, {0.3, 2},
+                                          Linear, Live,
                                           {"Longest life of a particle.", "Our choice"}),
     real<&P::fire, &FireParams::rise_speed>(
         "fire.rise_speed", "", unit::metre_per_second, {0, 50}, {0, 1}, Linear, Live,
@@ -295,9 +346,8 @@ constexpr ParamInfo kRows[] = {
     real<&P::fire, &FireParams::buoyancy>(
         "fire.buoyancy", "", unit::metre_per_second_squared, {0, 1000}, {0, 10}, Linear, Live,
         {"Upward acceleration of a particle as hot as at birth.", "Our choice"}),
-    real<&P::fire, &FireParams::drag>("fire.drag", "", unit::hertz, {0, 1000}, {0, 5}, Linear,
-                                      Live, {"How fast a particle is slowed by the air.",
-                                             "Our choice"}),
+    real<&P::fire, &FireParams::drag>("fire.drag", "", unit::hertz, {0, 1000}, {0, 5}, Linear, Live,
+                                      {"How fast a particle is slowed by the air.", "Our choice"}),
     real<&P::fire, &FireParams::force>(
         "fire.force", "f_ext", unit::kilogram_per_second_square_metre, {0, 100}, {0, 0.1}, Linear,
         Live, {"Push of passing particles on the sheet.", "Sec. 4.2"}),
@@ -308,7 +358,8 @@ constexpr ParamInfo kRows[] = {
     real<&P::fracture, &FractureParams::threshold>(
         "fracture.threshold", "", unit::percent, {0, kInfinity}, {0.6, 4}, Logarithmic, Live,
         {"A burnt bending spring breaks when stretched by this. Lower falls to smaller flakes; "
-         "inf never cracks.", "Sec. 4.4"}),
+         "inf never cracks.",
+         "Sec. 4.4"}),
     toggle<&P::fracture, &FractureParams::middle_burnt>(
         "fracture.middle_burnt", Live,
         {"The node between must be burnt out too. Off is the paper.", "Our choice"}),
@@ -360,9 +411,13 @@ static_assert(field_count<Params> == 11, "every group needs rows and an assertio
 
 }  // namespace
 
-std::span<const ParamInfo> sim_param_rows() { return kRows; }
+std::span<const ParamInfo> sim_param_rows() {
+    return kRows;
+}
 
-ParamBinding bind(Params& params) { return {kRows, &params}; }
+ParamBinding bind(Params& params) {
+    return {kRows, &params};
+}
 
 std::vector<std::string> plausibility_warnings(const Params& params) {
     std::vector<std::string> warnings;

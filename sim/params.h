@@ -1,4 +1,5 @@
-// What a person may set, in SI, with its defaults. Ranges, units and meaning are in param_table.cpp.
+// What a person may set, in SI, with its defaults. Ranges, units and meaning are in
+// param_table.cpp.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +8,11 @@ namespace ember {
 
 /// The material (sections 3 and 4.1, tables 1 and 2).
 struct PaperParams {
-    double grammage = 0.080;             // [kg/m^2]
-    double density = 1500.0;             // [kg/m^3]
-    double c_s = 2e-4;                   // [1] dimensional stability
-    double specific_heat = 1380.0;       // [J/(kg K)]
-    double conductivity = 0.05;          // [W/(m K)]
+    double grammage = 0.080;        // [kg/m^2]
+    double density = 1500.0;        // [kg/m^3]
+    double c_s = 2e-4;              // [1] dimensional stability
+    double specific_heat = 1380.0;  // [J/(kg K)]
+    double conductivity = 0.05;     // [W/(m K)]
 };
 
 enum class Border : std::uint8_t { Tributary, Uniform };
@@ -21,18 +22,18 @@ enum class HeldEdge : std::uint8_t { None, MainStart, MainEnd, CrossStart, Cross
 
 /// Size, lattice and placement of the sheet (eq. 1).
 struct SheetParams {
-    double width = 0.210;                // [m] cross direction z, M cells
-    double height = 0.297;               // [m] main direction x, N cells
-    int rows = 32;                       // M
-    int columns = 48;                    // N
+    double width = 0.210;   // [m] cross direction z, M cells
+    double height = 0.297;  // [m] main direction x, N cells
+    int rows = 32;          // M
+    int columns = 48;       // N
     Border border = Border::Tributary;
     SheetShape shape = SheetShape::Flat;
     SheetPose pose = SheetPose::Hanging;
     HeldEdge held = HeldEdge::MainStart;
-    int count = 1;                       // sheets in the stack
-    double gap = 0.020;                  // [m] between stacked sheets
-    double elevation = 0.450;            // [m] of the held edge above the ground
-    double imperfection = 0.0002;        // [m] amplitude of the initial waviness
+    int count = 1;                 // sheets in the stack
+    double gap = 0.020;            // [m] between stacked sheets
+    double elevation = 0.450;      // [m] of the held edge above the ground
+    double imperfection = 0.0002;  // [m] amplitude of the initial waviness
 };
 
 enum class StiffnessLaw : std::uint8_t { PerArea, PerNodeMass };
@@ -40,75 +41,75 @@ enum class VariationPattern : std::uint8_t { PerFibre, PerSpring };
 
 /// The mass-spring lattice (section 4.1).
 struct SpringParams {
-    double structural = 7e3;             // [1/s^2] times node weight
-    double diagonal = 7e3;               // [1/s^2]
-    double bending = 2e4;                // [1/s^2]
-    double damping = 5.0;                // [1/s] times node weight
-    double stiffness_scale = 160.0;      // [1] multiplies the three stiffnesses
+    double structural = 7e3;         // [1/s^2] times node weight
+    double diagonal = 7e3;           // [1/s^2]
+    double bending = 2e4;            // [1/s^2]
+    double damping = 5.0;            // [1/s] times node weight
+    double stiffness_scale = 160.0;  // [1] multiplies the three stiffnesses
     StiffnessLaw stiffness_law = StiffnessLaw::PerArea;
-    double variation = 0.10;             // [1]
+    double variation = 0.10;  // [1]
     VariationPattern variation_pattern = VariationPattern::PerFibre;
     bool follows_mass = true;
 };
 
 /// What pulls and drags at the sheet from outside.
 struct WorldParams {
-    double gravity = 9.81;               // [m/s^2] downwards
-    double held_gravity = 1.0;           // [1] share of gravity that pieces still held feel
-    double air_drag = 0.3;               // [kg/(m^2 s)] across the sheet
-    double air_drag_tangential = 0.15;   // [1] share of it along the sheet
-    bool ground = true;                  // pieces come to rest at y = 0
+    double gravity = 9.81;              // [m/s^2] downwards
+    double held_gravity = 1.0;          // [1] share of gravity that pieces still held feel
+    double air_drag = 0.3;              // [kg/(m^2 s)] across the sheet
+    double air_drag_tangential = 0.15;  // [1] share of it along the sheet
+    bool ground = true;                 // pieces come to rest at y = 0
 };
 
 /// Heat in the sheet (section 4.2, eqs. 2 and 3).
 struct HeatParams {
-    double ambient = 293.15;             // [K]
-    double flame_limit = 1373.15;        // [K] no source heats a node above this
-    double convection = 33.0;            // [W/(m^2 K)] per face
-    double emissivity = 0.0;             // [1] per face
+    double ambient = 293.15;       // [K]
+    double flame_limit = 1373.15;  // [K] no source heats a node above this
+    double convection = 33.0;      // [W/(m^2 K)] per face
+    double emissivity = 0.0;       // [1] per face
 };
 
 /// The states of a node (section 4.2).
 struct BurningParams {
-    double ignition = 1041.15;           // [K] 1.5 times the particle temperature
-    double burn_rate = 0.060;            // [kg/(s m^2)]
-    double residual_mass = 0.2;          // [1]
-    double heat_release = 1.5e4;         // [K/s] of a burning node
-    double burn_speed = 1.0;             // [1]
+    double ignition = 1041.15;    // [K] 1.5 times the particle temperature
+    double burn_rate = 0.060;     // [kg/(s m^2)]
+    double residual_mass = 0.2;   // [1]
+    double heat_release = 1.5e4;  // [K/s] of a burning node
+    double burn_speed = 1.0;      // [1]
 };
 
 /// Particles and what they give (section 4.2).
 struct FireParams {
-    double temperature = 785.15;         // [K] at birth, 512 degC
-    double cooling_time = 0.5;           // [s]
-    double life_min = 0.42;              // [s]
-    double life_max = 0.70;              // [s]
-    double rise_speed = 0.25;            // [m/s] at birth from a burning node
-    double lateral_speed = 0.08;         // [m/s] standard deviation per axis
-    double buoyancy = 5.0;               // [m/s^2] at birth temperature
-    double drag = 2.0;                   // [1/s]
-    double kernel_radius = 0.018;        // [m]
-    double heating = 2000.0;             // [K/s] per particle at its centre, for 80 g/m^2, c_s 2e-4
-    double heating_limit = 2e4;          // [K/s] per node
-    double grammage_exponent = 0.5;      // [1]
-    double stability_exponent = 0.25;    // [1]
-    double absorption = 10.0;            // [1/s] how fast a particle loses what it gives
-    double emission = 7.4e5;             // [1/(s m^2)] of burning paper
-    double node_strength = 1.0;          // [1] of particles from burning nodes
-    double force = 0.02;                 // [kg/(m^2 s)]
-    double force_limit = 2.0;            // [m/s^2]
+    double temperature = 785.15;       // [K] at birth, 512 degC
+    double cooling_time = 0.5;         // [s]
+    double life_min = 0.42;            // [s]
+    double life_max = 0.70;            // [s]
+    double rise_speed = 0.25;          // [m/s] at birth from a burning node
+    double lateral_speed = 0.08;       // [m/s] standard deviation per axis
+    double buoyancy = 5.0;             // [m/s^2] at birth temperature
+    double drag = 2.0;                 // [1/s]
+    double kernel_radius = 0.018;      // [m]
+    double heating = 2000.0;           // [K/s] per particle at its centre, for 80 g/m^2, c_s 2e-4
+    double heating_limit = 2e4;        // [K/s] per node
+    double grammage_exponent = 0.5;    // [1]
+    double stability_exponent = 0.25;  // [1]
+    double absorption = 10.0;          // [1/s] how fast a particle loses what it gives
+    double emission = 7.4e5;           // [1/(s m^2)] of burning paper
+    double node_strength = 1.0;        // [1] of particles from burning nodes
+    double force = 0.02;               // [kg/(m^2 s)]
+    double force_limit = 2.0;          // [m/s^2]
 };
 
 /// The lighter (section 4.2, "Lighting the Paper").
 struct LighterParams {
     bool on = true;
     double x = -0.100, y = 0.133, z = 0.0;  // [m]
-    double radius = 0.004;               // [m] of its nozzle
-    double rate = 250.0;                 // [1/s]
-    double speed = 0.35;                 // [m/s]
-    double strength = 0.5;               // [1]
-    double start = 0.0;                  // [s]
-    double duration = 1.5;               // [s]
+    double radius = 0.004;                  // [m] of its nozzle
+    double rate = 250.0;                    // [1/s]
+    double speed = 0.35;                    // [m/s]
+    double strength = 0.5;                  // [1]
+    double start = 0.0;                     // [s]
+    double duration = 1.5;                  // [s]
 };
 
 enum class ShrinkRule : std::uint8_t { BothBurning, Half };
@@ -119,24 +120,24 @@ struct ShrinkageParams {
     double reference_step = 1.0 / 60.0;  // [s] the step that eq. 4 leaves out
     double floor = 0.7;                  // [1] of the initial length
     ShrinkRule rule = ShrinkRule::BothBurning;
-    bool literal_stiffness = false;      // k_s of the spring's own kind
+    bool literal_stiffness = false;  // k_s of the spring's own kind
 };
 
 /// Cracks (section 4.4).
 struct FractureParams {
-    double threshold = 0.012;            // [1] elongation of a burnt bending spring
+    double threshold = 0.012;  // [1] elongation of a burnt bending spring
     bool middle_burnt = true;
-    double relief_radius = 0.013;        // [m] around a cut ...
-    double relief_time = 0.10;           // [s] ... that rests this long
+    double relief_radius = 0.013;  // [m] around a cut ...
+    double relief_time = 0.10;     // [s] ... that rests this long
     bool release_hinges = true;
 };
 
 /// How the equations are solved.
 struct NumericsParams {
-    double tick_rate = 60.0;             // [1/s]
-    double safety = 0.9;                 // [1] of the stability bound
+    double tick_rate = 60.0;  // [1/s]
+    double safety = 0.9;      // [1] of the stability bound
     int substeps_min = 1;
-    bool check = true;                   // finiteness and energy, with rollback
+    bool check = true;  // finiteness and energy, with rollback
     std::int64_t seed = 1;
 };
 

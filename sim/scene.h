@@ -10,15 +10,15 @@ namespace ember {
 
 /// One sheet before it is built. Local frame: main direction along `main`, cross along `cross`.
 struct SheetPlan {
-    int rows = 0, columns = 0;        ///< cells in cross (M) and main (N) direction
-    double width = 0, height = 0;     ///< [m] cross and main size
+    int rows = 0, columns = 0;     ///< cells in cross (M) and main (N) direction
+    double width = 0, height = 0;  ///< [m] cross and main size
     SheetShape shape = SheetShape::Flat;
     Border border = Border::Tributary;
     HeldEdge held = HeldEdge::None;
-    Vector3 origin = Vector3::Zero(); ///< [m] of site (row 0, column 0)
-    Vector3 main = Vector3::UnitX();  ///< unit vector
-    Vector3 cross = Vector3::UnitZ(); ///< unit vector; on a tube, the direction at row 0
-    double imperfection = 0;          ///< [m] amplitude of the initial waviness
+    Vector3 origin = Vector3::Zero();  ///< [m] of site (row 0, column 0)
+    Vector3 main = Vector3::UnitX();   ///< unit vector
+    Vector3 cross = Vector3::UnitZ();  ///< unit vector; on a tube, the direction at row 0
+    double imperfection = 0;           ///< [m] amplitude of the initial waviness
 };
 
 /// Sheets; lighters are parameters, because they are moved while the paper burns.

@@ -12,7 +12,15 @@ namespace ember {
 
 /// The stages of a tick, in order.
 enum class Stage : std::uint8_t {
-    Fire, Coupling, Springs, Ground, Heat, Burning, Shrinkage, Fracture, Check
+    Fire,
+    Coupling,
+    Springs,
+    Ground,
+    Heat,
+    Burning,
+    Shrinkage,
+    Fracture,
+    Check
 };
 inline constexpr std::size_t kStageCount = 9;
 inline constexpr std::array<std::string_view, kStageCount> kStageNames = {
@@ -29,7 +37,7 @@ class StageObserver {
 /// Work done in one tick; a stage with nothing to do counts zero.
 struct StepCounters {
     std::int64_t particles_born = 0, particles_moved = 0;
-    std::int64_t coupling_pairs = 0;       ///< node-particle distances looked at
+    std::int64_t coupling_pairs = 0;  ///< node-particle distances looked at
     std::int64_t substeps = 0, right_hand_sides = 0, spring_evaluations = 0;
     std::int64_t heat_substeps = 0, heat_nodes = 0;
     std::int64_t nodes_ignited = 0, nodes_burning = 0, nodes_burnt_out = 0;
@@ -42,10 +50,10 @@ enum class StepStatus : std::uint8_t { Ok, Diverged };
 /// Outcome of one tick.
 struct StepReport {
     StepStatus status = StepStatus::Ok;
-    int retries = 0;                       ///< times the tick was rolled back and halved
-    Stage stage = Stage::Check;            ///< where the numbers went wrong (when Diverged)
-    Index sheet = kNone, node = kNone;     ///< the first bad node, if one is to blame
-    double time = 0;                       ///< [s] at the start of the failed tick
+    int retries = 0;                    ///< times the tick was rolled back and halved
+    Stage stage = Stage::Check;         ///< where the numbers went wrong (when Diverged)
+    Index sheet = kNone, node = kNone;  ///< the first bad node, if one is to blame
+    double time = 0;                    ///< [s] at the start of the failed tick
     std::string reason;
     StepCounters counters;
 

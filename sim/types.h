@@ -8,8 +8,8 @@
 
 namespace ember {
 
-using Index = std::int32_t;          ///< node, site, spring or quad number; -1 means "none"
-using Vector3 = Eigen::Vector3d;     ///< one point or vector; y is up
+using Index = std::int32_t;       ///< node, site, spring or quad number; -1 means "none"
+using Vector3 = Eigen::Vector3d;  ///< one point or vector; y is up
 inline constexpr Index kNone = -1;
 
 /// What has become of a node (section 4.2 of the paper).

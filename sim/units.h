@@ -48,15 +48,33 @@ inline constexpr Unit per_second_square_metre{"1/(s m^2)", "emission"};
 }  // namespace unit
 
 /// Every unit that a preset string may end in.
-inline constexpr Unit kUnits[] = {
-    unit::one, unit::percent, unit::metre, unit::centimetre, unit::millimetre, unit::second,
-    unit::millisecond, unit::hertz, unit::per_minute, unit::degree, unit::radian, unit::celsius,
-    unit::kelvin, unit::kelvin_per_second, unit::gram_per_square_metre,
-    unit::kilogram_per_square_metre, unit::kilogram_per_cubic_metre,
-    unit::gram_per_cubic_centimetre, unit::gram_per_second_square_metre,
-    unit::kilogram_per_second_square_metre, unit::joule_per_kilogram_kelvin,
-    unit::kilojoule_per_kilogram_kelvin, unit::watt_per_metre_kelvin,
-    unit::watt_per_square_metre_kelvin, unit::metre_per_second, unit::metre_per_second_squared,
-    unit::per_second_squared, unit::per_second_square_metre};
+inline constexpr Unit kUnits[] = {unit::one,
+                                  unit::percent,
+                                  unit::metre,
+                                  unit::centimetre,
+                                  unit::millimetre,
+                                  unit::second,
+                                  unit::millisecond,
+                                  unit::hertz,
+                                  unit::per_minute,
+                                  unit::degree,
+                                  unit::radian,
+                                  unit::celsius,
+                                  unit::kelvin,
+                                  unit::kelvin_per_second,
+                                  unit::gram_per_square_metre,
+                                  unit::kilogram_per_square_metre,
+                                  unit::kilogram_per_cubic_metre,
+                                  unit::gram_per_cubic_centimetre,
+                                  unit::gram_per_second_square_metre,
+                                  unit::kilogram_per_second_square_metre,
+                                  unit::joule_per_kilogram_kelvin,
+                                  unit::kilojoule_per_kilogram_kelvin,
+                                  unit::watt_per_metre_kelvin,
+                                  unit::watt_per_square_metre_kelvin,
+                                  unit::metre_per_second,
+                                  unit::metre_per_second_squared,
+                                  unit::per_second_squared,
+                                  unit::per_second_square_metre};
 
 }  // namespace ember

@@ -13,7 +13,7 @@
 
 namespace ember {
 
-struct Workspace;   // scratch arrays; contents mean nothing between steps
+struct Workspace;  // scratch arrays; contents mean nothing between steps
 class ThreadPool;
 
 /// A scene, its parameters and its state. Copyable through snapshot() only.

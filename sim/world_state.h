@@ -13,22 +13,22 @@ namespace ember {
 /// What evolves on one sheet. Node n < site count is the first copy of site n; cuts append copies.
 struct SheetState {
     // per node, N
-    Vector3Array position;                   ///< [m]
-    Vector3Array velocity;                   ///< [m/s]
-    std::vector<double> temperature;         ///< [K]
-    std::vector<double> mass;                ///< [kg]
-    std::vector<double> initial_mass;        ///< [kg] before burning; shared out when a node splits
-    std::vector<double> ignition_time;       ///< [s], +inf before
-    std::vector<double> burnout_time;        ///< [s], +inf before
+    Vector3Array position;              ///< [m]
+    Vector3Array velocity;              ///< [m/s]
+    std::vector<double> temperature;    ///< [K]
+    std::vector<double> mass;           ///< [kg]
+    std::vector<double> initial_mass;   ///< [kg] before burning; shared out when a node splits
+    std::vector<double> ignition_time;  ///< [s], +inf before
+    std::vector<double> burnout_time;   ///< [s], +inf before
     std::vector<Phase> phase;
-    std::vector<Index> site;                 ///< lattice site of each node
-    std::vector<std::uint8_t> held;          ///< 1: attached, never moves
-    std::vector<std::uint8_t> piece_held;    ///< 1: its piece hangs on a held node
+    std::vector<Index> site;               ///< lattice site of each node
+    std::vector<std::uint8_t> held;        ///< 1: attached, never moves
+    std::vector<std::uint8_t> piece_held;  ///< 1: its piece hangs on a held node
     // per lattice site, S
-    std::vector<std::uint8_t> glue;          ///< bit d: quads on both sides of edge d share a node
-    std::vector<double> relief_until;        ///< [s] no cut at this site before
+    std::vector<std::uint8_t> glue;    ///< bit d: quads on both sides of edge d share a node
+    std::vector<double> relief_until;  ///< [s] no cut at this site before
     // per spring slot, 6×S (see lattice.h)
-    std::vector<double> rest_length;         ///< [m]
+    std::vector<double> rest_length;  ///< [m]
     // per quad, Q
     std::vector<Quad> quads;
     std::uint64_t topology_version = 0;
@@ -36,34 +36,34 @@ struct SheetState {
 
 /// Fire particles, P; a particle keeps its id for life.
 struct FireState {
-    Vector3Array position;                   ///< [m]
-    Vector3Array velocity;                   ///< [m/s]
-    std::vector<double> temperature;         ///< [K]
-    std::vector<double> strength;            ///< [1] relative heating
-    std::vector<double> birth, death;        ///< [s]
-    std::vector<std::uint64_t> id;           ///< (emitter, number), hashed
+    Vector3Array position;             ///< [m]
+    Vector3Array velocity;             ///< [m/s]
+    std::vector<double> temperature;   ///< [K]
+    std::vector<double> strength;      ///< [1] relative heating
+    std::vector<double> birth, death;  ///< [s]
+    std::vector<std::uint64_t> id;     ///< (emitter, number), hashed
 
     [[nodiscard]] std::size_t size() const { return id.size(); }
 };
 
 /// Where mechanical energy went since t = 0 [J]. See energy.h.
 struct EnergyLedger {
-    double initial = 0;                              ///< kinetic + elastic + gravitational
+    double initial = 0;                                  ///< kinetic + elastic + gravitational
     double kinetic = 0, elastic = 0, gravitational = 0;  ///< now
-    double work_fire = 0;                            ///< by fire particles
-    double loss_damping = 0, loss_drag = 0;          ///< in springs, to the air; never negative
-    double change_ground = 0;                        ///< pieces coming to rest
-    double change_mass = 0;                          ///< mass burnt off and springs weakened
-    double change_rest_length = 0;                   ///< shrinking
-    double change_topology = 0;                      ///< cuts
-    double change_edit = 0;                          ///< live parameters
+    double work_fire = 0;                                ///< by fire particles
+    double loss_damping = 0, loss_drag = 0;              ///< in springs, to the air; never negative
+    double change_ground = 0;                            ///< pieces coming to rest
+    double change_mass = 0;                              ///< mass burnt off and springs weakened
+    double change_rest_length = 0;                       ///< shrinking
+    double change_topology = 0;                          ///< cuts
+    double change_edit = 0;                              ///< live parameters
 };
 
 /// Where heat went since t = 0 [J]. See heat.h.
 struct HeatLedger {
-    double stored = 0;                               ///< above ambient, now
-    double given_fire = 0, given_burning = 0;        ///< by particles and by burning itself
-    double lost_air = 0, lost_held = 0;              ///< to the air, to held edges
+    double stored = 0;                         ///< above ambient, now
+    double given_fire = 0, given_burning = 0;  ///< by particles and by burning itself
+    double lost_air = 0, lost_held = 0;        ///< to the air, to held edges
 };
 
 /// Totals since t = 0.
@@ -71,12 +71,12 @@ struct Totals {
     std::int64_t cuts = 0;
     std::int64_t ignitions = 0, burnouts = 0;
     std::int64_t retries = 0;
-    double burnt_mass = 0;                           ///< [kg] gone up in flames
+    double burnt_mass = 0;  ///< [kg] gone up in flames
 };
 
 struct WorldState {
     std::uint64_t tick = 0;
-    double time = 0;                                 ///< [s]
+    double time = 0;  ///< [s]
     std::vector<SheetState> sheets;
     FireState fire;
     EnergyLedger energy;

@@ -22,40 +22,40 @@ struct SpringSegment {
 
 /// One sheet. Arrays over nodes have N entries, the first rows*columns of them in site order.
 struct SheetView {
-    Index row_count = 0, column_count = 0;   ///< lattice sites: cross (z) and main (x) direction
-    bool closed = false;                     ///< rows wrap around: a tube
-    double width = 0, height = 0;            ///< [m] cross and main size at rest
-    std::span<const double> x, y, z;         ///< position [m], N
-    std::span<const double> vx, vy, vz;      ///< velocity [m/s], N
-    std::span<const double> temperature;     ///< [K], N
-    std::span<const double> mass;            ///< [kg], N
-    std::span<const double> initial_mass;    ///< [kg], N
-    std::span<const double> burnout_time;    ///< [s], N; when the node burnt out, else +inf
-    std::span<const Phase> phase;            ///< N
-    std::span<const Index> site;             ///< N; row * column_count + column of each node
-    std::span<const Quad> quads;             ///< constant count
-    std::uint64_t topology_version = 0;      ///< changes when quads or springs change
+    Index row_count = 0, column_count = 0;  ///< lattice sites: cross (z) and main (x) direction
+    bool closed = false;                    ///< rows wrap around: a tube
+    double width = 0, height = 0;           ///< [m] cross and main size at rest
+    std::span<const double> x, y, z;        ///< position [m], N
+    std::span<const double> vx, vy, vz;     ///< velocity [m/s], N
+    std::span<const double> temperature;    ///< [K], N
+    std::span<const double> mass;           ///< [kg], N
+    std::span<const double> initial_mass;   ///< [kg], N
+    std::span<const double> burnout_time;   ///< [s], N; when the node burnt out, else +inf
+    std::span<const Phase> phase;           ///< N
+    std::span<const Index> site;            ///< N; row * column_count + column of each node
+    std::span<const Quad> quads;            ///< constant count
+    std::uint64_t topology_version = 0;     ///< changes when quads or springs change
 };
 
 /// Fire particles. Arrays over particles have P entries, oldest first within an emitter.
 struct ParticleView {
-    std::span<const double> x, y, z;         ///< [m]
-    std::span<const double> vx, vy, vz;      ///< [m/s]
-    std::span<const double> temperature;     ///< [K]
-    std::span<const double> birth, death;    ///< [s]
-    std::span<const std::uint64_t> id;       ///< stable while the particle lives; a random seed
+    std::span<const double> x, y, z;       ///< [m]
+    std::span<const double> vx, vy, vz;    ///< [m/s]
+    std::span<const double> temperature;   ///< [K]
+    std::span<const double> birth, death;  ///< [s]
+    std::span<const std::uint64_t> id;     ///< stable while the particle lives; a random seed
 };
 
 /// Valid until the world is stepped, restored or destroyed.
 struct WorldView {
     std::uint64_t tick = 0;
-    double time = 0;                         ///< [s]
-    double ambient = 0;                      ///< [K]
-    double ignition = 0;                     ///< [K]
-    double fire_temperature = 0;             ///< [K] of a particle at birth
-    bool ground = false;                     ///< a floor at y = 0
+    double time = 0;              ///< [s]
+    double ambient = 0;           ///< [K]
+    double ignition = 0;          ///< [K]
+    double fire_temperature = 0;  ///< [K] of a particle at birth
+    bool ground = false;          ///< a floor at y = 0
     bool lighter_lit = false;
-    Vector3 lighter = Vector3::Zero();       ///< [m]
+    Vector3 lighter = Vector3::Zero();  ///< [m]
     std::vector<SheetView> sheets;
     ParticleView particles;
 };

@@ -1,0 +1,117 @@
+#include "sim/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/energy.h"
+
+namespace ember {
+namespace {
+
+constexpr double kSmallestEnergy = 1e-12;  // [J] below which a ledger is rounding only
+
+void fail(StepReport& report, Stage stage, std::string reason) {
+    report.status = StepStatus::Diverged;
+    report.stage = stage;
+    report.reason = std::move(reason);
+}
+
+std::string in_joules(const char* format, double a, double b) {
+    char text[160];
+    std::snprintf(text, sizeof text, format, a, b);
+    return text;
+}
+
+// First node whose value is not finite, or -1.
+Index first_bad(const std::vector<double>& values) {
+    // x * 0 is 0 for every finite x and NaN otherwise: one branch-free pass in the usual case
+    double sum = 0.0;
+    for (const double v : values)
+        sum += v * 0.0;
+    if (sum == 0.0) return kNone;
+    const auto bad =
+        std::find_if_not(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+    return static_cast<Index>(bad - values.begin());
+}
+
+struct NamedArray {
+    const std::vector<double>& values;
+    Stage stage;
+    const char* name;
+};
+
+bool check_sheet(const SheetState& sheet, Index number, StepReport& report) {
+    const NamedArray arrays[] = {{sheet.position.x, Stage::Springs, "position"},
+                                 {sheet.position.y, Stage::Springs, "position"},
+                                 {sheet.position.z, Stage::Springs, "position"},
+                                 {sheet.velocity.x, Stage::Springs, "velocity"},
+                                 {sheet.velocity.y, Stage::Springs, "velocity"},
+                                 {sheet.velocity.z, Stage::Springs, "velocity"},
+                                 {sheet.temperature, Stage::Heat, "temperature"},
+                                 {sheet.mass, Stage::Burning, "mass"}};
+    for (const NamedArray& array : arrays) {
+        const Index bad = first_bad(array.values);
+        if (bad == kNone) continue;
+        report.sheet = number;
+        report.node = bad;
+        fail(report, array.stage, std::string(array.name) + " is not finite");
+        return false;
+    }
+    const Index bad = first_bad(sheet.rest_length);
+    if (bad != kNone) fail(report, Stage::Shrinkage, "a rest length is not finite");
+    return bad == kNone;
+}
+
+bool check_particles(const FireState& fire, StepReport& report) {
+    for (const auto* values :
+         {&fire.position.x, &fire.position.y, &fire.position.z, &fire.velocity.x, &fire.velocity.y,
+          &fire.velocity.z, &fire.temperature}) {
+        if (first_bad(*values) == kNone) continue;
+        fail(report, Stage::Fire, "a fire particle is not finite");
+        return false;
+    }
+    return true;
+}
+
+// The node that moves fastest: where energy comes from nowhere, it comes from there.
+void blame_fastest(const WorldState& state, StepReport& report) {
+    double fastest = -1.0;
+    for (std::size_t s = 0; s < state.sheets.size(); ++s) {
+        const SheetState& sheet = state.sheets[s];
+        for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
+            const double speed = sheet.velocity.at(n).squaredNorm();
+            if (!(speed > fastest)) continue;
+            fastest = speed;
+            report.sheet = static_cast<Index>(s);
+            report.node = static_cast<Index>(n);
+        }
+    }
+}
+
+}  // namespace
+
+void check_state(const WorldState& state, StepReport& report) {
+    for (std::size_t s = 0; s < state.sheets.size(); ++s) {
+        if (!check_sheet(state.sheets[s], static_cast<Index>(s), report)) return;
+    }
+    if (!check_particles(state.fire, report)) return;
+    double scale = 0.0;
+    const double excess = unaccounted_energy(state.energy, scale);
+    if (!(excess <= std::max(kEnergyMargin * scale, kSmallestEnergy))) {
+        blame_fastest(state, report);
+        fail(report, Stage::Springs,
+             in_joules("%.3g J of mechanical energy came from nowhere (largest term %.3g J)",
+                       excess, scale));
+        return;
+    }
+    const HeatLedger& h = state.heat;
+    const double given = h.given_fire + h.given_burning;
+    const double missing = h.stored + h.lost_air + h.lost_held - given;
+    if (!(std::abs(missing) <= std::max(kHeatMargin * given, kSmallestEnergy))) {
+        fail(report, Stage::Heat,
+             in_joules("heat ledger is off by %.3g J of %.3g J given", missing, given));
+    }
+}
+
+}  // namespace ember

@@ -1,0 +1,33 @@
+// The mechanical energy of the world and the ledger of where it went.
+#pragma once
+
+#include "sim/params.h"
+#include "sim/spring_network.h"
+#include "sim/world_state.h"
+
+namespace ember {
+
+/// Mechanical energy [J].
+struct MechanicalEnergy {
+    double kinetic = 0, elastic = 0, gravitational = 0;
+    [[nodiscard]] double total() const { return kinetic + elastic + gravitational; }
+};
+
+/// Gravity that node n feels [m/s^2]: less while its piece is held (world.held_gravity).
+[[nodiscard]] inline double node_gravity(const WorldParams& world, const SheetState& sheet,
+                                         std::size_t n) {
+    return world.gravity * (sheet.piece_held[n] != 0 ? world.held_gravity : 1.0);
+}
+
+/// Adds the energy of one sheet: ½ Σ m v² + ½ Σ k (L - l)² + Σ m g y.
+void add_energy(const Lattice& lattice, const WorldParams& world, const SheetState& sheet,
+                const SpringNetwork& network, MechanicalEnergy& energy);
+
+/// By how much the ledger fails to account for the present energy [J]; positive: energy from
+/// nowhere. `scale` receives the largest of its terms.
+[[nodiscard]] double unaccounted_energy(const EnergyLedger& ledger, double& scale);
+
+/// Share of the largest term by which energy may exceed the ledger before the tick is refused.
+inline constexpr double kEnergyMargin = 1e-3;
+
+}  // namespace ember

@@ -1,0 +1,24 @@
+// Fire as particles (section 4.2): emitters on the lighter and on every burning node.
+//
+// Particle k of an emitter that started at t0 is born at t0 + (k + u_k)/rate with its own random
+// numbers, at the place where the emitter is at that very moment. Which particles exist, and how
+// they fly, therefore does not depend on the tick: a shorter tick refines the same fire.
+#pragma once
+
+#include "sim/params.h"
+#include "sim/step_stats.h"
+#include "sim/world_state.h"
+
+namespace ember {
+
+/// Moves every particle through [time, time + dt], removes those that die, and adds those that
+/// are born in it. Between collisions with nothing, a particle obeys
+///     dv/dt = b u/u0 ŷ - γ v,   du/dt = -u/τ,   u = T - ambient
+/// whose solution is used exactly, with u frozen at its mean over the tick in the first.
+void advance_fire(const Params& params, std::uint64_t seed, double time, double dt,
+                  const std::vector<SheetState>& sheets, FireState& fire, StepCounters& counters);
+
+/// Whether the lighter burns at some moment of [time, time + dt).
+[[nodiscard]] bool lighter_lit(const LighterParams& lighter, double time, double dt);
+
+}  // namespace ember

@@ -1,0 +1,43 @@
+// A small pool of threads for loops whose iterations do not depend on each other.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace ember {
+
+/// Splits loops over rows between threads. Rows must write only what no other row touches; then
+/// results do not depend on the number of threads.
+class ThreadPool {
+  public:
+    explicit ThreadPool(int threads);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+
+    [[nodiscard]] int size() const { return static_cast<int>(workers_.size()) + 1; }
+
+    /// Calls body(begin, end) for parts that cover [0, rows); returns when all are done. Loops of
+    /// less than `items_per_row * rows` = 16384 items run on the calling thread: starting the
+    /// others costs more than they would save.
+    void for_rows(std::ptrdiff_t rows, std::ptrdiff_t items_per_row,
+                  const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>& body);
+
+  private:
+    void work(int part);
+
+    std::vector<std::thread> workers_;
+    std::mutex mutex_;
+    std::condition_variable start_, done_;
+    const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>* body_ = nullptr;
+    std::ptrdiff_t rows_ = 0;
+    std::size_t generation_ = 0;
+    int running_ = 0;
+    bool stop_ = false;
+};
+
+}  // namespace ember

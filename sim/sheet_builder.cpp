@@ -1,0 +1,154 @@
+#include "sim/sheet_builder.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "sim/math.h"
+#include "sim/random.h"
+
+namespace ember {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+constexpr Index kWaves = 6;  // control points of the waviness per side
+
+double smoothstep(double t) {
+    return t * t * (3.0 - 2.0 * t);
+}
+
+// Smooth random height in [-1, 1] at (u, v) in [0, 1]²: random values on a coarse grid, blended.
+double waviness(double u, double v, std::uint64_t seed, std::size_t sheet) {
+    const double x = u * kWaves, y = v * kWaves;
+    const double x0 = std::floor(x), y0 = std::floor(y);
+    const auto corner = [&](double dx, double dy) {
+        const auto index = static_cast<std::uint64_t>((y0 + dy) * (kWaves + 2) + (x0 + dx));
+        return 2.0 * random_uniform(seed, RandomUse::Waviness, sheet, index) - 1.0;
+    };
+    const double s = smoothstep(x - x0), t = smoothstep(y - y0);
+    return (1 - t) * ((1 - s) * corner(0, 0) + s * corner(1, 0)) +
+           t * ((1 - s) * corner(0, 1) + s * corner(1, 1));
+}
+
+// Position of a site: on the plane of the plan, or on the polygon of the tube, plus waviness.
+Vector3 place(const SheetPlan& plan, const Lattice& lattice, Index row, Index column,
+              std::uint64_t seed, std::size_t sheet) {
+    const Vector3 normal = plan.cross.cross(plan.main);
+    const double along = column * lattice.column_spacing;
+    const double u = double(column) / std::max(lattice.column_count - 1, 1);
+    const double bump = plan.imperfection * waviness(u, double(row) / plan.rows, seed, sheet);
+    if (!lattice.closed) {
+        return plan.origin + along * plan.main + row * lattice.row_spacing * plan.cross +
+               bump * normal;
+    }
+    // regular polygon whose sides are one row spacing; its axis runs along `main`
+    const double angle = kTwoPi * row / lattice.row_count;
+    const double radius = 0.5 * lattice.row_spacing / ember::sin(0.5 * kTwoPi / lattice.row_count);
+    // a tube's waviness must close on itself, so it is taken around the ring twice over
+    const double ring =
+        plan.imperfection * waviness(u, std::abs(2.0 * row / lattice.row_count - 1.0), seed, sheet);
+    const Vector3 out = ember::cos(angle) * plan.cross + ember::sin(angle) * normal;
+    return plan.origin + along * plan.main + (radius + ring) * out;
+}
+
+bool is_held(HeldEdge edge, const Lattice& lattice, Index row, Index column) {
+    switch (edge) {
+        case HeldEdge::None:
+            return false;
+        case HeldEdge::MainStart:
+            return column == 0;
+        case HeldEdge::MainEnd:
+            return column == lattice.column_count - 1;
+        case HeldEdge::CrossStart:
+            return row == 0;
+        case HeldEdge::CrossEnd:
+            return row == lattice.row_count - 1;
+        case HeldEdge::BothMainEnds:
+            return column == 0 || column == lattice.column_count - 1;
+    }
+    return false;
+}
+
+// Mass of every site [kg].
+std::vector<double> site_masses(const SheetPlan& plan, const Lattice& lattice, double grammage) {
+    const auto n = static_cast<std::size_t>(lattice.site_count());
+    if (plan.border == Border::Uniform) return std::vector<double>(n, lattice.node_weight);
+    const double quarter = 0.25 * grammage * lattice.row_spacing * lattice.column_spacing;
+    std::vector<double> mass(n, 0.0);
+    for (Index site = 0; site < lattice.site_count(); ++site) {
+        for (int sector = 0; sector < 4; ++sector) {
+            if (lattice.sector_cell(site, sector) != kNone) {
+                mass[static_cast<std::size_t>(site)] += quarter;
+            }
+        }
+    }
+    return mass;
+}
+
+}  // namespace
+
+void validate(const SheetPlan& plan) {
+    const auto require = [](bool condition, const char* message) {
+        if (!condition) throw std::invalid_argument(message);
+    };
+    require(plan.rows >= 1 && plan.columns >= 1,
+            "sheet.rows, sheet.columns: at least one cell each is needed");
+    require(plan.width > 0 && plan.height > 0, "sheet.width, sheet.height: must be above 0");
+    require(plan.shape != SheetShape::Cylinder || plan.rows >= 3,
+            "sheet.rows: a cylinder needs at least 3");
+    require(plan.shape != SheetShape::Cylinder ||
+                (plan.held != HeldEdge::CrossStart && plan.held != HeldEdge::CrossEnd),
+            "sheet.held: a cylinder has no cross_start or cross_end edge");
+    constexpr std::int64_t kMostSites = 4096ll * 4096ll;
+    require((std::int64_t{plan.rows} + 1) * (std::int64_t{plan.columns} + 1) <= kMostSites,
+            "sheet.rows, sheet.columns: more than 4096 x 4096 nodes");
+}
+
+SheetState make_sheet(const SheetPlan& plan, const Lattice& lattice, const Params& params,
+                      std::size_t sheet) {
+    const auto n = static_cast<std::size_t>(lattice.site_count());
+    const auto seed = static_cast<std::uint64_t>(params.numerics.seed);
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    SheetState state;
+    state.position.resize(n);
+    state.velocity.resize(n);
+    state.temperature.assign(n, params.heat.ambient);
+    state.initial_mass = site_masses(plan, lattice, params.paper.grammage);
+    state.mass = state.initial_mass;
+    state.ignition_time.assign(n, kNever);
+    state.burnout_time.assign(n, kNever);
+    state.phase.assign(n, Phase::Unburnt);
+    state.site.resize(n);
+    state.held.assign(n, 0);
+    state.glue.assign(n, 0);
+    state.relief_until.assign(n, 0.0);
+    state.rest_length = lattice.initial_length;
+    for (Index site = 0; site < lattice.site_count(); ++site) {
+        const auto i = static_cast<std::size_t>(site);
+        const Index row = lattice.row_of(site), column = lattice.column_of(site);
+        state.position.set(i, place(plan, lattice, row, column, seed, sheet));
+        state.velocity.set(i, Vector3::Zero());
+        state.site[i] = site;
+        state.held[i] = is_held(plan.held, lattice, row, column) ? 1 : 0;
+        for (int d = 0; d < 4; ++d) {
+            const bool both = lattice.sector_cell(site, (d + 3) % 4) != kNone &&
+                              lattice.sector_cell(site, d) != kNone;
+            if (both) state.glue[i] = static_cast<std::uint8_t>(state.glue[i] | (1u << d));
+        }
+    }
+    state.quads.resize(static_cast<std::size_t>(lattice.cell_rows * lattice.cell_columns));
+    for (Index site = 0; site < lattice.site_count(); ++site) {
+        for (int sector = 0; sector < 4; ++sector) {
+            const Index cell = lattice.sector_cell(site, sector);
+            if (cell == kNone) continue;
+            state.quads[static_cast<std::size_t>(cell)][static_cast<std::size_t>(sector)] = site;
+        }
+    }
+    const bool any_held = std::find(state.held.begin(), state.held.end(), 1) != state.held.end();
+    state.piece_held.assign(n, any_held ? 1 : 0);
+    return state;
+}
+
+}  // namespace ember

@@ -1,0 +1,158 @@
+#include "sim/spring_network.h"
+
+#include <algorithm>
+
+namespace ember {
+namespace {
+
+// One side of a slot: the two nodes that the quads on that side have at its ends.
+struct Side {
+    bool exists = false;     // the unburnt sheet has quads there
+    bool connected = false;  // and they still hold this spring
+    Index a = kNone, b = kNone;
+};
+
+Index corner(const SheetState& sheet, Index cell, int number) {
+    return sheet.quads[static_cast<std::size_t>(cell)][static_cast<std::size_t>(number)];
+}
+
+// A spring along a line of one or two edges lies between two strips of quads. `first` and `last`
+// are the cells of one strip, `a` and `b` their corners at the spring's ends.
+Side make_side(const SheetState& sheet, Index first, Index last, int a, int b, bool glued) {
+    if (first == kNone || last == kNone) return {};
+    return {true, glued, corner(sheet, first, a), corner(sheet, last, b)};
+}
+
+bool glued(const SheetState& sheet, Index site, int direction) {
+    return (sheet.glue[static_cast<std::size_t>(site)] >> direction & 1u) != 0;
+}
+
+// The sides of a slot: of the line springs the strips on either side, of a diagonal its own quad.
+std::array<Side, 2> sides_of(const Lattice& lattice, const SheetState& sheet, Slot kind,
+                             Index anchor) {
+    const Index r = lattice.row_of(anchor), c = lattice.column_of(anchor);
+    const auto cell = [&](Index dr, Index dc) { return lattice.cell(r + dr, c + dc); };
+    switch (kind) {
+        case Slot::Main:
+            return {make_side(sheet, cell(0, 0), cell(0, 0), 0, 1, true),
+                    make_side(sheet, cell(-1, 0), cell(-1, 0), 3, 2, true)};
+        case Slot::Cross:
+            return {make_side(sheet, cell(0, 0), cell(0, 0), 0, 3, true),
+                    make_side(sheet, cell(0, -1), cell(0, -1), 1, 2, true)};
+        case Slot::DiagDown:
+            return {make_side(sheet, cell(0, 0), cell(0, 0), 0, 2, true), {}};
+        case Slot::DiagUp:
+            return {make_side(sheet, cell(0, 0), cell(0, 0), 1, 3, true), {}};
+        case Slot::BendMain: {
+            const Index middle = lattice.neighbour(anchor, 0);
+            return {make_side(sheet, cell(0, 0), cell(0, 1), 0, 1, glued(sheet, middle, 1)),
+                    make_side(sheet, cell(-1, 0), cell(-1, 1), 3, 2, glued(sheet, middle, 3))};
+        }
+        case Slot::BendCross: {
+            const Index middle = lattice.neighbour(anchor, 1);
+            return {make_side(sheet, cell(0, 0), cell(1, 0), 0, 3, glued(sheet, middle, 0)),
+                    make_side(sheet, cell(0, -1), cell(1, -1), 1, 2, glued(sheet, middle, 2))};
+        }
+    }
+    return {};
+}
+
+// Share of the slot's stiffness that one side carries: half of a whole spring each (a border
+// spring has one side only), or, with a uniform border, all of it between the sides there were.
+double share(const Lattice& lattice, Slot kind, const std::array<Side, 2>& sides) {
+    if (spring_kind(kind) == SpringKind::Diagonal) return 1.0;
+    const bool two = sides[0].exists && sides[1].exists;
+    return lattice.border == Border::Uniform && !two ? 1.0 : 0.5;
+}
+
+void add_spring(Index a, Index b, Index slot, std::array<Index, 2> ends, double weight,
+                SpringNetwork& network) {
+    if (a == ends[0] && b == ends[1]) {
+        network.weight[static_cast<std::size_t>(slot)] += weight;
+    } else {
+        network.extra.push_back({a, b, slot, weight});
+    }
+}
+
+void index_ends(std::size_t node_count, SpringNetwork& network) {
+    network.end_begin.assign(node_count + 1, 0);
+    for (const ExtraSpring& s : network.extra) {
+        ++network.end_begin[static_cast<std::size_t>(s.a) + 1];
+        ++network.end_begin[static_cast<std::size_t>(s.b) + 1];
+    }
+    for (std::size_t n = 0; n < node_count; ++n)
+        network.end_begin[n + 1] += network.end_begin[n];
+    network.ends.resize(2 * network.extra.size());
+    std::vector<Index> next(network.end_begin.begin(), network.end_begin.end() - 1);
+    for (std::size_t x = 0; x < network.extra.size(); ++x) {
+        const auto place = [&](Index node, double sign) {
+            Index& at = next[static_cast<std::size_t>(node)];
+            network.ends[static_cast<std::size_t>(at++)] = {static_cast<Index>(x), sign};
+        };
+        place(network.extra[x].a, 1.0);
+        place(network.extra[x].b, -1.0);
+    }
+}
+
+double mass_fraction(const SheetState& sheet, Index node) {
+    const auto n = static_cast<std::size_t>(node);
+    return sheet.mass[n] / sheet.initial_mass[n];
+}
+
+}  // namespace
+
+void rebuild_network(const Lattice& lattice, const SheetState& sheet, SpringNetwork& network) {
+    network.weight.assign(lattice.stiffness.size(), 0.0);
+    network.extra.clear();
+    for (int k = 0; k < kSlotCount; ++k) {
+        const auto kind = static_cast<Slot>(k);
+        for (Index anchor = 0; anchor < lattice.site_count(); ++anchor) {
+            const auto ends = lattice.ends(kind, anchor);
+            if (ends[0] == kNone) continue;
+            const auto sides = sides_of(lattice, sheet, kind, anchor);
+            const double each = share(lattice, kind, sides);
+            const Index slot = lattice.slot(kind, anchor);
+            const bool merged = sides[0].connected && sides[1].connected &&
+                                sides[0].a == sides[1].a && sides[0].b == sides[1].b;
+            if (merged) {
+                add_spring(sides[0].a, sides[0].b, slot, ends, 2.0 * each, network);
+                continue;
+            }
+            for (const Side& side : sides) {
+                if (side.connected) add_spring(side.a, side.b, slot, ends, each, network);
+            }
+        }
+    }
+    index_ends(sheet.mass.size(), network);
+    network.topology_version = sheet.topology_version;
+}
+
+void weaken_springs(const Lattice& lattice, const SheetState& sheet, bool follows_mass,
+                    SpringNetwork& network) {
+    const auto factor = [&](Index a, Index b) {
+        return follows_mass ? std::min(mass_fraction(sheet, a), mass_fraction(sheet, b)) : 1.0;
+    };
+    network.stiffness.assign(network.weight.size(), 0.0);
+    network.damping.assign(network.weight.size(), 0.0);
+    for (int k = 0; k < kSlotCount; ++k) {
+        for (Index anchor = 0; anchor < lattice.site_count(); ++anchor) {
+            const auto s = static_cast<std::size_t>(lattice.slot(static_cast<Slot>(k), anchor));
+            if (network.weight[s] == 0) continue;
+            const auto [a, b] = lattice.ends(static_cast<Slot>(k), anchor);
+            const double w = network.weight[s] * factor(a, b);
+            network.stiffness[s] = lattice.stiffness[s] * w;
+            network.damping[s] = lattice.damping[s] * w;
+        }
+    }
+    network.extra_stiffness.resize(network.extra.size());
+    network.extra_damping.resize(network.extra.size());
+    for (std::size_t x = 0; x < network.extra.size(); ++x) {
+        const ExtraSpring& spring = network.extra[x];
+        const auto s = static_cast<std::size_t>(spring.slot);
+        const double w = spring.weight * factor(spring.a, spring.b);
+        network.extra_stiffness[x] = lattice.stiffness[s] * w;
+        network.extra_damping[x] = lattice.damping[s] * w;
+    }
+}
+
+}  // namespace ember

@@ -1,0 +1,207 @@
+#include "sim/tick.h"
+
+#include <cmath>
+
+#include "sim/burning.h"
+#include "sim/check.h"
+#include "sim/fire.h"
+#include "sim/fracture.h"
+#include "sim/ground.h"
+#include "sim/loads.h"
+#include "sim/shrinkage.h"
+#include "sim/stability.h"
+
+namespace ember {
+namespace {
+
+constexpr double kMostSubsteps = 1e6;
+
+// Tells the observer when a stage begins and ends.
+class StageScope {
+  public:
+    StageScope(StageObserver* observer, Stage stage) : observer_(observer), stage_(stage) {
+        if (observer_ != nullptr) observer_->begin(stage_);
+    }
+    ~StageScope() {
+        if (observer_ != nullptr) observer_->end(stage_);
+    }
+    StageScope(const StageScope&) = delete;
+    StageScope& operator=(const StageScope&) = delete;
+
+  private:
+    StageObserver* observer_;
+    Stage stage_;
+};
+
+double end_time(const Tick& t) {
+    return t.state.time + t.dt;
+}
+
+double energy_change(const Tick& t) {
+    return record_energy(measure_energy(t.params, t.state, t.work), t.state.energy);
+}
+
+void run_fire(const Tick& t, StepCounters& counters) {
+    const StageScope scope(t.observer, Stage::Fire);
+    advance_fire(t.params, static_cast<std::uint64_t>(t.params.numerics.seed), t.state.time, t.dt,
+                 t.state.sheets, t.state.fire, counters);
+}
+
+void run_coupling(const Tick& t, StepCounters& counters) {
+    const StageScope scope(t.observer, Stage::Coupling);
+    couple_fire(t.params, t.dt, t.state.sheets, t.state.fire, t.work.grid, t.work.fire, counters);
+}
+
+// Section 4.1. Returns false when no bounded number of sub-steps is stable.
+bool run_springs(const Tick& t, StepReport& report) {
+    const StageScope scope(t.observer, Stage::Springs);
+    for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
+        SheetState& sheet = t.state.sheets[s];
+        SheetWorkspace& w = t.work.sheets[s];
+        gather_loads(t.params, sheet, t.work.fire[s], w.loads);
+        const double bound = spectral_bound(w.lattice, sheet, w.network, w.loads);
+        const double needed = t.refine * substeps_needed(bound, t.dt, t.params.numerics.safety,
+                                                         t.params.numerics.substeps_min);
+        if (!(needed <= kMostSubsteps)) {
+            report.sheet = static_cast<Index>(s);
+            report.reason = "a stable sub-step would be " + std::to_string(t.dt / needed) + " s";
+            return false;
+        }
+        const auto substeps = static_cast<std::int64_t>(needed);
+        const TickWork work = integrate(w.lattice, sheet, w.network, w.loads, t.dt, substeps,
+                                        w.forces, w.integration, t.pool, report.counters);
+        report.counters.substeps += substeps;
+        t.state.energy.work_fire += work.fire;
+        t.state.energy.loss_damping += work.damping;
+        t.state.energy.loss_drag += work.drag;
+    }
+    (void)energy_change(t);  // accounted for by the work above
+    return true;
+}
+
+void run_ground(const Tick& t, StepCounters& counters) {
+    const StageScope scope(t.observer, Stage::Ground);
+    if (!t.params.world.ground) return;
+    std::int64_t touched = 0;
+    for (SheetState& sheet : t.state.sheets)
+        touched += rest_on_ground(sheet, t.dt, counters);
+    if (touched > 0) t.state.energy.change_ground += energy_change(t);
+}
+
+// Section 4.2, eqs. 2 and 3. Faster burning is the same heat in less time.
+void run_heat(const Tick& t, StepCounters& counters) {
+    const StageScope scope(t.observer, Stage::Heat);
+    const double dt = t.dt * t.params.burning.burn_speed;
+    const double ambient = t.params.heat.ambient;
+    t.state.heat.stored = 0;
+    for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
+        SheetState& sheet = t.state.sheets[s];
+        SheetWorkspace& w = t.work.sheets[s];
+        conduct_heat(w.lattice, sheet, t.params.paper, ambient, dt, t.refine, w.heat, counters);
+        exchange_heat(sheet, t.params, t.work.fire[s].heating, dt, t.state.heat, counters);
+        cool_held(sheet, t.params.paper, ambient, t.state.heat);
+        t.state.heat.stored += stored_heat(sheet, t.params.paper, ambient);
+    }
+}
+
+void run_burning(const Tick& t, StepCounters& counters) {
+    const StageScope scope(t.observer, Stage::Burning);
+    double gone = 0;
+    for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
+        SheetState& sheet = t.state.sheets[s];
+        SheetWorkspace& w = t.work.sheets[s];
+        w.burnt_out.clear();
+        const double burnt =
+            update_phases(t.params, end_time(t), t.dt * t.params.burning.burn_speed, sheet,
+                          w.burnt_out, counters);
+        gone += burnt;
+        if (burnt > 0) weaken_springs(w.lattice, sheet, t.params.springs.follows_mass, w.network);
+    }
+    t.state.totals.burnt_mass += gone;
+    t.state.totals.ignitions += counters.nodes_ignited;
+    t.state.totals.burnouts += counters.nodes_burnt_out;
+    if (gone > 0) t.state.energy.change_mass += energy_change(t);
+}
+
+void run_shrinkage(const Tick& t, StepCounters& counters) {
+    const StageScope scope(t.observer, Stage::Shrinkage);
+    for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
+        shrink_burning_springs(t.work.sheets[s].lattice, t.params, t.dt, t.state.sheets[s],
+                               counters);
+    }
+    if (counters.springs_shrunk > 0) t.state.energy.change_rest_length += energy_change(t);
+}
+
+void run_fracture(const Tick& t, StepCounters& counters) {
+    const StageScope scope(t.observer, Stage::Fracture);
+    for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
+        SheetWorkspace& w = t.work.sheets[s];
+        break_burnt_springs(w.lattice, t.params, w.network, end_time(t), w.burnt_out,
+                            t.state.sheets[s], counters);
+    }
+    t.state.totals.cuts += counters.cuts;
+    if (counters.cuts == 0) return;
+    refresh_derived(t.params, t.state, t.work);
+    t.state.energy.change_topology += energy_change(t);
+}
+
+}  // namespace
+
+StepReport run_tick(const Tick& t) {
+    StepReport report;
+    report.time = t.state.time;
+    StepCounters& counters = report.counters;
+
+    run_fire(t, counters);          // Sec. 4.2: particles are born, rise and die
+    run_coupling(t, counters);      // Sec. 4.2: and give nodes heat and a push
+    if (!run_springs(t, report)) {  // Sec. 4.1: the lattice moves
+        report.status = StepStatus::Diverged;
+        report.stage = Stage::Springs;
+        return report;
+    }
+    run_ground(t, counters);     // pieces come to rest
+    run_heat(t, counters);       // Sec. 4.2, eqs. 2 and 3: heat spreads
+    run_burning(t, counters);    // Sec. 4.2: unburnt, burning, burnt out
+    run_shrinkage(t, counters);  // Sec. 4.3, eq. 4: burning fibres shrink
+    run_fracture(t, counters);   // Sec. 4.4: burnt fibres break
+
+    ++t.state.tick;
+    t.state.time = static_cast<double>(t.state.tick) / t.params.numerics.tick_rate;
+    if (t.params.numerics.check) {
+        const StageScope scope(t.observer, Stage::Check);
+        check_state(t.state, report);
+    }
+    return report;
+}
+
+void refresh_derived(const Params& params, const WorldState& state, Workspace& work) {
+    for (std::size_t s = 0; s < state.sheets.size(); ++s) {
+        const SheetState& sheet = state.sheets[s];
+        SheetWorkspace& w = work.sheets[s];
+        if (w.network.topology_version != sheet.topology_version) {
+            rebuild_network(w.lattice, sheet, w.network);
+            rebuild_conduction(w.lattice, sheet, w.network, params.paper, w.heat);
+        }
+        weaken_springs(w.lattice, sheet, params.springs.follows_mass, w.network);
+    }
+}
+
+MechanicalEnergy measure_energy(const Params& params, const WorldState& state,
+                                const Workspace& work) {
+    MechanicalEnergy energy;
+    for (std::size_t s = 0; s < state.sheets.size(); ++s) {
+        add_energy(work.sheets[s].lattice, params.world, state.sheets[s], work.sheets[s].network,
+                   energy);
+    }
+    return energy;
+}
+
+double record_energy(const MechanicalEnergy& now, EnergyLedger& ledger) {
+    const double before = ledger.kinetic + ledger.elastic + ledger.gravitational;
+    ledger.kinetic = now.kinetic;
+    ledger.elastic = now.elastic;
+    ledger.gravitational = now.gravitational;
+    return now.total() - before;
+}
+
+}  // namespace ember

@@ -1,0 +1,35 @@
+// Scratch of a world: its contents mean nothing between steps and are never saved or hashed.
+#pragma once
+
+#include <vector>
+
+#include "sim/energy.h"
+#include "sim/fire_coupling.h"
+#include "sim/heat.h"
+#include "sim/integrator.h"
+#include "sim/lattice.h"
+#include "sim/spring_forces.h"
+#include "sim/spring_network.h"
+#include "sim/world_state.h"
+
+namespace ember {
+
+/// Derived data and scratch of one sheet.
+struct SheetWorkspace {
+    Lattice lattice;        ///< never changes
+    SpringNetwork network;  ///< follows the sheet's topology and masses
+    NodeLoads loads;
+    SpringForces forces;
+    IntegratorScratch integration;
+    HeatScratch heat;
+    std::vector<Index> burnt_out;  ///< sites that burnt out in this tick
+};
+
+struct Workspace {
+    std::vector<SheetWorkspace> sheets;
+    ParticleGrid grid;
+    std::vector<NodeFire> fire;  ///< what the fire gives to each sheet in this tick
+    WorldState before;           ///< the state at the start of the tick, for rolling back
+};
+
+}  // namespace ember

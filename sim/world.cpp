@@ -1,0 +1,137 @@
+#include "sim/world.h"
+
+#include <stdexcept>
+
+#include "sim/fire.h"
+#include "sim/parallel.h"
+#include "sim/param_table.h"
+#include "sim/sheet_builder.h"
+#include "sim/tick.h"
+#include "sim/workspace.h"
+
+namespace ember {
+namespace {
+
+constexpr int kMostRetries = 6;
+
+SheetView view_of(const SheetState& sheet, const SheetPlan& plan, const Lattice& lattice) {
+    SheetView view;
+    view.row_count = lattice.row_count;
+    view.column_count = lattice.column_count;
+    view.closed = lattice.closed;
+    view.width = plan.width;
+    view.height = plan.height;
+    view.x = sheet.position.x, view.y = sheet.position.y, view.z = sheet.position.z;
+    view.vx = sheet.velocity.x, view.vy = sheet.velocity.y, view.vz = sheet.velocity.z;
+    view.temperature = sheet.temperature;
+    view.mass = sheet.mass;
+    view.initial_mass = sheet.initial_mass;
+    view.burnout_time = sheet.burnout_time;
+    view.phase = sheet.phase;
+    view.site = sheet.site;
+    view.quads = sheet.quads;
+    view.topology_version = sheet.topology_version;
+    return view;
+}
+
+}  // namespace
+
+World::World(Scene scene, const Params& params, int threads)
+    : scene_(std::move(scene)),
+      params_(params),
+      work_(std::make_unique<Workspace>()),
+      pool_(std::make_unique<ThreadPool>(threads)) {
+    for (const SheetPlan& plan : scene_.sheets)
+        validate(plan);
+    const auto seed = static_cast<std::uint64_t>(params.numerics.seed);
+    for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
+        SheetWorkspace& w = work_->sheets.emplace_back();
+        w.lattice = make_lattice(scene_.sheets[s], params.paper, params.springs, seed, s);
+        state_.sheets.push_back(make_sheet(scene_.sheets[s], w.lattice, params, s));
+    }
+    refresh_derived(params_, state_, *work_);
+    record_energy(measure_energy(params_, state_, *work_), state_.energy);
+    state_.energy.initial =
+        state_.energy.kinetic + state_.energy.elastic + state_.energy.gravitational;
+}
+
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+StepReport World::step(StageObserver* observer) {
+    const bool checked = params_.numerics.check;
+    if (checked) work_->before = state_;
+    for (int retry = 0;; ++retry) {
+        StepReport report =
+            run_tick({params_, state_, *work_, *pool_, observer, tick_duration(), 1 << retry});
+        report.retries = retry;
+        if (report.ok()) {
+            state_.totals.retries += retry;
+            return report;
+        }
+        if (checked) restore(work_->before);
+        if (!checked || retry == kMostRetries) return report;
+    }
+}
+
+bool World::apply(const Params& params) {
+    for (const ParamInfo& row : sim_param_rows()) {
+        if (row.applies == ParamApplies::Rebuild && row.get(&params) != row.get(&params_)) {
+            return false;
+        }
+    }
+    params_ = params;
+    refresh_derived(params_, state_, *work_);
+    state_.energy.change_edit +=
+        record_energy(measure_energy(params_, state_, *work_), state_.energy);
+    return true;
+}
+
+void World::restore(WorldState state) {
+    state_ = std::move(state);
+    for (SheetWorkspace& w : work_->sheets)
+        w.network.topology_version = ~0ull;
+    refresh_derived(params_, state_, *work_);
+}
+
+std::uint64_t World::hash() const {
+    return hash_of(state_);
+}
+
+WorldView World::view() const {
+    WorldView view;
+    view.tick = state_.tick;
+    view.time = state_.time;
+    view.ambient = params_.heat.ambient;
+    view.ignition = params_.burning.ignition;
+    view.fire_temperature = params_.fire.temperature;
+    view.ground = params_.world.ground;
+    view.lighter_lit = lighter_lit(params_.lighter, state_.time, tick_duration());
+    view.lighter = {params_.lighter.x, params_.lighter.y, params_.lighter.z};
+    for (std::size_t s = 0; s < state_.sheets.size(); ++s) {
+        view.sheets.push_back(
+            view_of(state_.sheets[s], scene_.sheets[s], work_->sheets[s].lattice));
+    }
+    const FireState& fire = state_.fire;
+    view.particles = {fire.position.x, fire.position.y, fire.position.z,  fire.velocity.x,
+                      fire.velocity.y, fire.velocity.z, fire.temperature, fire.birth,
+                      fire.death,      fire.id};
+    return view;
+}
+
+std::vector<SpringSegment> World::springs(std::size_t sheet) const {
+    std::vector<SpringSegment> segments;
+    const SheetWorkspace& w = work_->sheets.at(sheet);
+    for_each_spring(w.lattice, w.network, [&](Index a, Index b, Index slot, double, double) {
+        const auto kind = static_cast<Slot>(slot / w.lattice.site_count());
+        segments.push_back({a, b, spring_kind(kind)});
+    });
+    return segments;
+}
+
+World make_world(const Params& params, int threads) {
+    return World(make_scene(params.sheet), params, threads);
+}
+
+}  // namespace ember
