@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/vectorise.h"
+
 namespace ember {
 namespace {
 
@@ -26,25 +28,36 @@ struct Update {
     double h;  // [s] sub-step
 };
 
-// One component of one node: acceleration `a` and stage velocity `w` advance the scheme.
-inline void advance(const RungeKuttaStage& s, double h, double a, double w, double& x, double& v,
-                    double& stage_x, double& stage_v, double& sum_x, double& sum_v) {
-    sum_x = s.first ? w : sum_x + s.sum_weight * w;
-    sum_v = s.first ? a : sum_v + s.sum_weight * a;
-    if (s.last) {
-        x += h / 6.0 * sum_x;
-        v += h / 6.0 * sum_v;
-        stage_x = x;
-        stage_v = v;
-    } else {
-        stage_x = x + s.next * w;
-        stage_v = v + s.next * a;
+// Advances one component of `count` nodes by one stage: force f + load gives the acceleration, the
+// stage velocity is the rate of the position. The branches do not depend on the node, so that the
+// compiler takes them out of the loop.
+EMBER_VECTORISED void advance(const RungeKuttaStage s, double h, std::ptrdiff_t count,
+                              const double* __restrict f, const double* __restrict load,
+                              const double* __restrict inverse_mass, double* __restrict x,
+                              double* __restrict v, double* __restrict stage_x,
+                              double* __restrict stage_v, double* __restrict sum_x,
+                              double* __restrict sum_v) {
+    const double sixth = h / 6.0;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const double a = (f[i] + load[i]) * inverse_mass[i];
+        const double w = stage_v[i];
+        const double total_x = (s.first ? 0.0 : sum_x[i]) + s.sum_weight * w;
+        const double total_v = (s.first ? 0.0 : sum_v[i]) + s.sum_weight * a;
+        sum_x[i] = total_x;
+        sum_v[i] = total_v;
+        const double new_x = s.last ? x[i] + sixth * total_x : x[i];
+        const double new_v = s.last ? v[i] + sixth * total_v : v[i];
+        stage_x[i] = s.last ? new_x : new_x + s.next * w;
+        stage_v[i] = s.last ? new_v : new_v + s.next * a;
+        x[i] = new_x;
+        v[i] = new_v;
     }
 }
 
 // Drag F = -c [(v·n) n + τ (v - (v·n) n)] on nodes; adds the energy lost.
-void add_drag(const Update& u, const RungeKuttaStage& s, std::ptrdiff_t first, std::ptrdiff_t count,
-              double* __restrict fx, double* __restrict fy, double* __restrict fz) {
+EMBER_VECTORISED void add_drag(const Update& u, const RungeKuttaStage& s, std::ptrdiff_t first,
+                               std::ptrdiff_t count, double* __restrict fx, double* __restrict fy,
+                               double* __restrict fz) {
     const double tau = u.loads.drag_tangential;
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const std::ptrdiff_t n = first + i;
@@ -68,21 +81,15 @@ void update_nodes(const Update& u, const RungeKuttaStage& s, std::ptrdiff_t firs
                   double* __restrict fz) {
     if (u.loads.has_drag) add_drag(u, s, first, count, fx, fy, fz);
     const double* __restrict inverse = u.loads.inverse_mass.data() + first;
-    const auto component = [&](const double* __restrict f, const double* __restrict load,
-                               double* __restrict x, double* __restrict v,
-                               double* __restrict stage_x, double* __restrict stage_v,
-                               double* __restrict sum_x, double* __restrict sum_v) {
-        for (std::ptrdiff_t i = 0; i < count; ++i) {
-            const double a = (f[i] + load[i]) * inverse[i];
-            advance(s, u.h, a, stage_v[i], x[i], v[i], stage_x[i], stage_v[i], sum_x[i], sum_v[i]);
-        }
-    };
-    component(fx, u.loads.force.x.data() + first, u.x.x + first, u.v.x + first, u.stage_x.x + first,
-              u.stage_v.x + first, u.sum_x.x + first, u.sum_v.x + first);
-    component(fy, u.loads.force.y.data() + first, u.x.y + first, u.v.y + first, u.stage_x.y + first,
-              u.stage_v.y + first, u.sum_x.y + first, u.sum_v.y + first);
-    component(fz, u.loads.force.z.data() + first, u.x.z + first, u.v.z + first, u.stage_x.z + first,
-              u.stage_v.z + first, u.sum_x.z + first, u.sum_v.z + first);
+    advance(s, u.h, count, fx, u.loads.force.x.data() + first, inverse, u.x.x + first,
+            u.v.x + first, u.stage_x.x + first, u.stage_v.x + first, u.sum_x.x + first,
+            u.sum_v.x + first);
+    advance(s, u.h, count, fy, u.loads.force.y.data() + first, inverse, u.x.y + first,
+            u.v.y + first, u.stage_x.y + first, u.stage_v.y + first, u.sum_x.y + first,
+            u.sum_v.y + first);
+    advance(s, u.h, count, fz, u.loads.force.z.data() + first, inverse, u.x.z + first,
+            u.v.z + first, u.stage_x.z + first, u.stage_v.z + first, u.sum_x.z + first,
+            u.sum_v.z + first);
 }
 
 void add_extra(const SpringNetwork& network, const SpringForces& forces, std::ptrdiff_t first,

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/vectorise.h"
+
 namespace ember {
 namespace {
 
@@ -13,10 +15,11 @@ constexpr double kReaction = 1.0;
 #endif
 
 // `count` springs between nodes a+i and b+i. All pointers are to the first spring's data.
-void evaluate_run(std::ptrdiff_t count, const NodeMotion& m, std::ptrdiff_t a, std::ptrdiff_t b,
-                  const double* __restrict k, const double* __restrict d,
-                  const double* __restrict rest, double weight, double* __restrict fx,
-                  double* __restrict fy, double* __restrict fz, double* __restrict dissipated) {
+EMBER_VECTORISED void evaluate_run(std::ptrdiff_t count, const NodeMotion& m, std::ptrdiff_t a,
+                                   std::ptrdiff_t b, const double* __restrict k,
+                                   const double* __restrict d, const double* __restrict rest,
+                                   double weight, double* __restrict fx, double* __restrict fy,
+                                   double* __restrict fz, double* __restrict dissipated) {
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const double dx = m.x[b + i] - m.x[a + i];
         const double dy = m.y[b + i] - m.y[a + i];
@@ -85,7 +88,7 @@ RowStencil stencil(const Lattice& lattice, const SpringForces& forces,
             at(Slot::BendCross, two_above)};
 }
 
-void gather_component(const RowStencil& s, Index columns, double* __restrict out) {
+EMBER_VECTORISED void gather_component(const RowStencil& s, Index columns, double* __restrict out) {
     for (std::ptrdiff_t c = 0; c < columns; ++c) {
         double f = s.main[c] - kReaction * s.main[c - 1];
         f += s.cross[c] - kReaction * s.cross_above[c];
