@@ -1,0 +1,78 @@
+// A single sheet with everything that the stage functions ask for, for tests below World.
+#pragma once
+
+#include <memory>
+
+#include "sim/integrator.h"
+#include "sim/lattice.h"
+#include "sim/loads.h"
+#include "sim/parallel.h"
+#include "sim/scene.h"
+#include "sim/sheet_builder.h"
+#include "sim/spring_network.h"
+#include "sim/stability.h"
+
+namespace ember::test {
+
+/// Parameters of a plain sheet: no variation, no waviness, no gravity, no air, no ground, no fire.
+inline Params plain(int rows, int columns) {
+    Params p;
+    p.sheet.rows = rows;
+    p.sheet.columns = columns;
+    p.sheet.width = 0.01 * rows;
+    p.sheet.height = 0.01 * columns;
+    p.sheet.pose = SheetPose::Horizontal;
+    p.sheet.held = HeldEdge::None;
+    p.sheet.imperfection = 0;
+    p.springs.variation = 0;
+    p.springs.stiffness_scale = 1;
+    p.world.gravity = 0;
+    p.world.air_drag = 0;
+    p.world.ground = false;
+    p.lighter.on = false;
+    return p;
+}
+
+struct Rig {
+    Params params;
+    Scene scene;
+    Lattice lattice;
+    SheetState sheet;
+    SpringNetwork network;
+    NodeLoads loads;
+    SpringForces forces;
+    IntegratorScratch scratch;
+    std::unique_ptr<ThreadPool> pool = std::make_unique<ThreadPool>(1);
+    StepCounters counters;
+
+    explicit Rig(const Params& p) : params(p), scene(make_scene(p.sheet)) {
+        const auto seed = static_cast<std::uint64_t>(p.numerics.seed);
+        lattice = make_lattice(scene.sheets[0], p.paper, p.springs, seed, 0);
+        sheet = make_sheet(scene.sheets[0], lattice, p, 0);
+        refresh();
+    }
+
+    /// After any change of topology, mass or held nodes.
+    void refresh() {
+        rebuild_network(lattice, sheet, network);
+        weaken_springs(lattice, sheet, params.springs.follows_mass, network);
+        gather_loads(params, sheet, {}, loads);
+    }
+
+    TickWork run(double dt, std::int64_t substeps) {
+        gather_loads(params, sheet, {}, loads);
+        return integrate(lattice, sheet, network, loads, dt, substeps, forces, scratch, *pool,
+                         counters);
+    }
+
+    [[nodiscard]] double bound() {
+        gather_loads(params, sheet, {}, loads);
+        return spectral_bound(lattice, sheet, network, loads);
+    }
+
+    [[nodiscard]] std::size_t site(Index row, Index column) const {
+        return static_cast<std::size_t>(lattice.site(row, column));
+    }
+};
+
+}  // namespace ember::test

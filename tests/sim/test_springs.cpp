@@ -1,0 +1,316 @@
+// The lattice and its motion: spring constants, closed forms, order, momentum, step bound.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "rig.h"
+#include "sim/random.h"
+#include "sim/topology.h"
+
+namespace ember {
+namespace {
+
+using test::plain;
+using test::Rig;
+constexpr double kPi = std::numbers::pi;
+
+double random_in(double low, double high, std::uint64_t index) {
+    return low + (high - low) * random_uniform(99, RandomUse::Waviness, 0, index);
+}
+
+// Two parallel chains along the main direction, both ends held: structural springs only.
+Params chain(int links) {
+    Params p = plain(1, links);
+    p.sheet.border = Border::Uniform;
+    p.sheet.held = HeldEdge::BothMainEnds;
+    p.springs.stiffness_law = StiffnessLaw::PerNodeMass;
+    p.springs.diagonal = 0;
+    p.springs.bending = 0;
+    p.springs.damping = 0;
+    return p;
+}
+
+TEST(Lattice, HasThePapersMassesLengthsAndStiffness) {
+    Params p;
+    p.springs.stiffness_scale = 1;
+    p.springs.variation = 0;
+    p.sheet.border = Border::Uniform;
+    p.springs.stiffness_law = StiffnessLaw::PerNodeMass;
+    Rig rig(p);
+    EXPECT_EQ(rig.lattice.site_count(), 33 * 49);
+    EXPECT_NEAR(rig.lattice.row_spacing, 0.210 / 32, 1e-15);     // M d1 = z
+    EXPECT_NEAR(rig.lattice.column_spacing, 0.297 / 48, 1e-15);  // N d2 = x
+    const double m = 0.080 * 0.210 * 0.297 / (33 * 49);
+    EXPECT_NEAR(rig.sheet.mass[0], m, 1e-18);
+    const auto constants = [&](Slot kind) {
+        const auto slot = static_cast<std::size_t>(rig.lattice.slot(kind, rig.lattice.site(3, 3)));
+        return std::array{rig.lattice.stiffness[slot] / m, rig.lattice.damping[slot] / m,
+                          rig.lattice.initial_length[slot]};
+    };
+    const double d1 = 0.210 / 32, d2 = 0.297 / 48;
+    EXPECT_NEAR(constants(Slot::Main)[0], 7e3, 1e-6);
+    EXPECT_NEAR(constants(Slot::DiagUp)[0], 7e3, 1e-6);
+    EXPECT_NEAR(constants(Slot::BendCross)[0], 2e4, 1e-6);
+    EXPECT_NEAR(constants(Slot::BendMain)[1], 5.0, 1e-9);
+    EXPECT_NEAR(constants(Slot::DiagDown)[2], std::hypot(d1, d2), 1e-15);
+    EXPECT_NEAR(constants(Slot::BendMain)[2], 2 * d2, 1e-15);
+    EXPECT_NEAR(constants(Slot::BendCross)[2], 2 * d1, 1e-15);
+}
+
+TEST(Lattice, PerAreaStiffnessEqualsThePapersOnItsOwnLatticeAndScalesWithTheCell) {
+    Params p;
+    p.springs.stiffness_scale = 1;
+    p.springs.variation = 0;
+    const auto stiffness = [](const Params& params, Slot kind) {
+        Rig rig(params);
+        return rig.lattice.stiffness[static_cast<std::size_t>(rig.lattice.slot(kind, 0))];
+    };
+    const double paper = 7e3 * 0.080 * 0.21 * 0.297 / (33 * 49);
+    EXPECT_NEAR(stiffness(p, Slot::Main) / paper, 1.0, 1e-12);
+    EXPECT_NEAR(stiffness(p, Slot::DiagUp) / paper, 1.0, 1e-12);
+    p.sheet.rows *= 2;
+    p.sheet.columns *= 2;
+    EXPECT_NEAR(stiffness(p, Slot::Main) / paper, 1.0, 1e-12);
+    p.sheet.rows *= 2;  // cells half as wide: each main fibre carries half
+    EXPECT_NEAR(stiffness(p, Slot::Main) / paper, 0.5, 1e-12);
+    EXPECT_NEAR(stiffness(p, Slot::Cross) / paper, 2.0, 1e-12);
+}
+
+TEST(Lattice, EveryFibreHasItsOwnStiffnessWithinTenPerCent) {
+    Params p = plain(8, 8);
+    p.springs.variation = 0.1;
+    Rig rig(p);
+    const auto k = [&](Slot kind, Index r, Index c) {
+        return rig.lattice
+            .stiffness[static_cast<std::size_t>(rig.lattice.slot(kind, rig.lattice.site(r, c)))];
+    };
+    const Rig unvaried(plain(8, 8));
+    const auto mean = [&](Slot kind) {
+        return unvaried.lattice.stiffness[static_cast<std::size_t>(unvaried.lattice.slot(kind, 0))];
+    };
+    for (const Slot kind : {Slot::Main, Slot::Cross}) {
+        EXPECT_EQ(k(kind, 2, 0), k(kind, 2, 5));  // the same along a row
+        EXPECT_NE(k(kind, 2, 0), k(kind, 3, 0));  // another one in the next
+        for (Index r = 0; r < 8; ++r)
+            EXPECT_NEAR(k(kind, r, 0) / mean(kind), 1.0, 0.1);
+    }
+    EXPECT_EQ(k(Slot::BendMain, 2, 0), k(Slot::BendMain, 3, 0));
+    p.springs.variation_pattern = VariationPattern::PerSpring;
+    Rig each(p);
+    EXPECT_NE(each.lattice.stiffness[0], each.lattice.stiffness[1]);
+}
+
+TEST(Lattice, MassesSumToGrammageTimesAreaForBothBorders) {
+    for (const Border border : {Border::Tributary, Border::Uniform}) {
+        Params p = plain(5, 7);
+        p.sheet.border = border;
+        Rig rig(p);
+        double sum = 0;
+        for (const double m : rig.sheet.mass)
+            sum += m;
+        EXPECT_NEAR(sum / (0.080 * 0.05 * 0.07), 1.0, 1e-13);
+    }
+}
+
+TEST(Springs, AStretchedSpringPullsBothEndsAlike) {
+    // one quad, its edge (0,0)-(0,1) pulled to twice its length
+    Params p = plain(1, 1);
+    p.springs.diagonal = 0;
+    p.springs.damping = 0;
+    Rig rig(p);
+    rig.sheet.position.x[1] += 0.01;
+    rig.sheet.position.x[3] += 0.01;
+    const NodeMotion motion{rig.sheet.position.x.data(), rig.sheet.position.y.data(),
+                            rig.sheet.position.z.data(), rig.sheet.velocity.x.data(),
+                            rig.sheet.velocity.y.data(), rig.sheet.velocity.z.data()};
+    rig.forces.begin_tick(rig.lattice, rig.network);
+    evaluate_springs(rig.lattice, rig.sheet, rig.network, motion, 0.0, rig.forces, *rig.pool);
+    double fx[2], fy[2], fz[2];
+    gather_row(rig.lattice, rig.forces, 0, fx, fy, fz);
+    const double k = 0.5 * rig.lattice.stiffness[0];  // half a spring on the border
+    EXPECT_NEAR(fx[0], k * 0.01, 1e-15);
+    EXPECT_EQ(fx[1], -fx[0]);
+    EXPECT_NEAR(elastic_energy(rig.lattice, rig.sheet, rig.network), k * 0.01 * 0.01, 1e-16);
+}
+
+TEST(RungeKutta, AChainFollowsTheDiscreteClosedForm) {
+    // a mode p of a chain of n links oscillates at 2 sqrt(k/m) sin(p π / 2n); RK4 multiplies it by
+    // R(i ω h) in every step, R being its stability polynomial
+    constexpr int kLinks = 10, kMode = 3, kSteps = 200;
+    Rig rig(chain(kLinks));
+    constexpr double kAmplitude = 1e-4;
+    for (Index r = 0; r < 2; ++r) {
+        for (Index c = 0; c <= kLinks; ++c) {
+            rig.sheet.position.x[rig.site(r, c)] += kAmplitude * std::sin(kMode * kPi * c / kLinks);
+        }
+    }
+    const double omega = 2 * std::sqrt(7e3) * std::sin(kMode * kPi / (2.0 * kLinks));
+    const double h = 0.4 / omega;
+    const double start = rig.sheet.position.x[rig.site(0, 2)] - (-0.05 + 0.02);
+    (void)rig.run(kSteps * h, kSteps);
+    const std::complex<double> z(0, omega * h);
+    const auto growth =
+        std::pow(1.0 + z + z * z / 2.0 + z * z * z / 6.0 + z * z * z * z / 24.0, kSteps);
+    const double moved = rig.sheet.position.x[rig.site(0, 2)] - (-0.05 + 0.02);
+    EXPECT_NEAR(moved / start, growth.real(), 1e-9);
+    EXPECT_NEAR(rig.sheet.position.x[rig.site(1, 2)], rig.sheet.position.x[rig.site(0, 2)], 1e-15);
+}
+
+TEST(RungeKutta, IsOfFourthOrderOnASmoothSwing) {
+    Params p = plain(6, 8);
+    p.sheet.held = HeldEdge::MainStart;
+    p.world.gravity = 9.81;
+    p.world.air_drag = 0.05;
+    const auto run = [&](int substeps) {
+        Rig rig(p);
+        // normals and thus drag are taken once per tick: one tick, smooth loads
+        (void)rig.run(0.05, substeps);
+        return rig.sheet.position;
+    };
+    const Vector3Array reference = run(1024);
+    const auto error = [&](int substeps) {
+        const Vector3Array got = run(substeps);
+        double sum = 0;
+        for (std::size_t n = 0; n < got.size(); ++n) {
+            sum += (got.at(n) - reference.at(n)).squaredNorm();
+        }
+        return std::sqrt(sum / static_cast<double>(got.size()));
+    };
+    const double e16 = error(16), e32 = error(32), e64 = error(64);
+    ASSERT_GT(e64, 1e-15);
+    EXPECT_NEAR(std::log2(e16 / e32), 4.0, 0.25);
+    EXPECT_NEAR(std::log2(e32 / e64), 4.0, 0.25);
+}
+
+TEST(Springs, AHangingChainStretchesByTheWeightBelowEachLink) {
+    Params p = chain(6);
+    p.sheet.held = HeldEdge::MainStart;
+    p.sheet.pose = SheetPose::Hanging;
+    p.world.gravity = 0.5;
+    p.springs.damping = 60;
+    Rig rig(p);
+    for (int i = 0; i < 400; ++i)
+        (void)rig.run(0.05, 12);
+    const double stiffness = 7e3;  // per mass
+    for (Index c = 0; c < 6; ++c) {
+        const double length =
+            rig.sheet.position.y[rig.site(0, c)] - rig.sheet.position.y[rig.site(0, c + 1)];
+        const double below = 6 - c;  // nodes
+        EXPECT_NEAR(length, 0.01 + 0.5 * below / stiffness, 1e-10) << c;
+    }
+}
+
+TEST(Springs, AFreeSheetKeepsItsMomentum) {
+    Params p = plain(6, 8);
+    p.springs.variation = 0.1;
+    Rig rig(p);
+    for (std::size_t n = 0; n < rig.sheet.mass.size(); ++n) {
+        rig.sheet.velocity.set(
+            n, {random_in(-1, 1, 3 * n), random_in(-1, 1, 3 * n + 1), random_in(-1, 1, 3 * n + 2)});
+    }
+    const auto momentum = [&] {
+        Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
+        for (std::size_t n = 0; n < rig.sheet.mass.size(); ++n) {
+            const Vector3 mv = rig.sheet.mass[n] * rig.sheet.velocity.at(n);
+            const Vector3 x = rig.sheet.position.at(n);
+            linear += mv;
+            angular += Vector3(x.y() * mv.z() - x.z() * mv.y(), x.z() * mv.x() - x.x() * mv.z(),
+                               x.x() * mv.y() - x.y() * mv.x());
+        }
+        return std::pair(linear, angular);
+    };
+    const auto before = momentum();
+    const double scale = before.first.norm();
+    for (int i = 0; i < 60; ++i)
+        (void)rig.run(1.0 / 60, 64);
+    const auto after = momentum();
+    EXPECT_LE((after.first - before.first).norm() / scale, 1e-12);
+    // exact for the forces, of the order of the method for the motion
+    EXPECT_LE((after.second - before.second).norm() / before.second.norm(), 1e-6);
+}
+
+// Largest |λ| of the linearised motion by power iteration on the mass-scaled stiffness matrix.
+double true_omega(const Rig& rig) {
+    const std::size_t n = rig.sheet.mass.size();
+    std::vector<Vector3> v(n), w(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        v[i] = {random_in(-1, 1, 7 * i), random_in(-1, 1, 7 * i + 1), random_in(-1, 1, 7 * i + 2)};
+    }
+    double value = 0;
+    for (int iteration = 0; iteration < 400; ++iteration) {
+        for (Vector3& x : w)
+            x.setZero();
+        for_each_spring(
+            rig.lattice, rig.network, [&](Index ia, Index ib, Index slot, double k, double) {
+                const auto a = static_cast<std::size_t>(ia), b = static_cast<std::size_t>(ib);
+                const Vector3 d = rig.sheet.position.at(b) - rig.sheet.position.at(a);
+                const double l = d.norm(),
+                             rest = rig.sheet.rest_length[static_cast<std::size_t>(slot)];
+                const Vector3 axis = d / l;
+                const double sa = std::sqrt(rig.loads.inverse_mass[a]),
+                             sb = std::sqrt(rig.loads.inverse_mass[b]);
+                const Vector3 u = sb * v[b] - sa * v[a];
+                const Vector3 f =
+                    k * (axis * axis.dot(u) + (1 - rest / l) * (u - axis * axis.dot(u)));
+                w[b] += sb * f;
+                w[a] -= sa * f;
+            });
+        double norm = 0;
+        for (const Vector3& x : w)
+            norm += x.squaredNorm();
+        value = std::sqrt(norm);
+        for (std::size_t i = 0; i < n; ++i)
+            v[i] = w[i] / value;
+    }
+    return std::sqrt(value);
+}
+
+TEST(StepBound, IsNeverBelowTheTrueSpectralRadius) {
+    double tightest = 1e9;
+    for (std::uint64_t trial = 0; trial < 60; ++trial) {
+        Params p = plain(6, 9);
+        p.springs.variation = 0.1;
+        p.springs.damping = trial % 2 == 0 ? 0.0 : 5.0;
+        p.sheet.border = trial % 3 == 0 ? Border::Uniform : Border::Tributary;
+        p.springs.follows_mass = trial % 4 != 0;
+        p.sheet.shape = trial % 5 == 4 ? SheetShape::Cylinder : SheetShape::Flat;
+        Rig rig(p);
+        const auto sites = static_cast<std::size_t>(rig.lattice.site_count());
+        for (std::size_t n = 0; n < sites; ++n) {  // burnt and crumpled at random
+            const std::uint64_t id = 1000 * trial + 4 * n;
+            rig.sheet.mass[n] *= random_in(0.2, 1.0, id);
+            const double size = trial < 20 ? 0.0 : 0.004;
+            rig.sheet.position.set(
+                n, rig.sheet.position.at(n) + Vector3(random_in(-size, size, id + 1),
+                                                      random_in(-size, size, id + 2),
+                                                      random_in(-size, size, id + 3)));
+        }
+        for (std::uint64_t cut = 0; cut < 3 * (trial % 10); ++cut) {
+            const auto site = static_cast<Index>(random_in(0, double(sites) - 0.01, 77 * cut));
+            cut_site(rig.lattice, rig.sheet, site,
+                     cut % 2 == 0 ? CutLine::AlongMain : CutLine::AlongCross);
+        }
+        rig.refresh();
+        const double bound = rig.bound(), truth = true_omega(rig);
+        EXPECT_GE(bound, truth * (1 - 1e-6)) << "trial " << trial;
+        tightest = std::min(tightest, bound / truth);
+    }
+    EXPECT_LT(tightest, 1.6);
+}
+
+TEST(StepBound, AtRestOnThePapersLatticeIsWithin1p6OfTheTruth) {
+    Params p = plain(32, 48);
+    p.sheet.width = 0.21;
+    p.sheet.height = 0.297;
+    p.springs.damping = 0;
+    Rig rig(p);
+    rig.loads.inverse_mass.resize(rig.sheet.mass.size());
+    const double bound = rig.bound(), truth = true_omega(rig);
+    EXPECT_GE(bound, truth);
+    EXPECT_LE(bound, 1.6 * truth);
+}
+
+}  // namespace
+}  // namespace ember
