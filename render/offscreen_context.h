@@ -22,4 +22,8 @@ class OffscreenContext {
     [[nodiscard]] virtual std::string_view name() const = 0;  ///< "osmesa" or "egl"
 };
 
+/// Makes Mesa's software rasteriser draw the same bits on every x86-64 processor, by keeping it
+/// from using instructions that some lack. Call before the first context; costs about a quarter.
+void pin_software_rasteriser();
+
 }  // namespace ember

@@ -29,6 +29,11 @@ struct Frame {
     std::span<const std::vector<SpringSegment>> springs;
 };
 
+/// How often each pass has run; a pass with nothing to draw does not.
+struct PassCounters {
+    int frames = 0, sheets = 0, lattice = 0, fire = 0;
+};
+
 /// Owns every GL object. One per GL context; the context must be current in every call, the
 /// constructor and the destructor included.
 class Renderer {
@@ -46,6 +51,8 @@ class Renderer {
     /// Draws into a framebuffer of its own and reads it back.
     [[nodiscard]] Image draw_image(const Frame& frame, const RenderParams& params, int width,
                                    int height);
+
+    [[nodiscard]] PassCounters counters() const;
 
     /// GL_RENDERER and GL_VERSION, for metadata and bug reports.
     [[nodiscard]] std::string description() const;

@@ -105,6 +105,7 @@ WorldView World::view() const {
     view.time = state_.time;
     view.ambient = params_.heat.ambient;
     view.ignition = params_.burning.ignition;
+    view.residual_mass = params_.burning.residual_mass;
     view.fire_temperature = params_.fire.temperature;
     view.ground = params_.world.ground;
     view.lighter_lit = lighter_lit(params_.lighter, state_.time, tick_duration());

@@ -1,0 +1,20 @@
+// Shaders and textures, embedded in the binary.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace ember {
+
+struct Asset {
+    std::string_view name;                  ///< file name without folders
+    std::span<const unsigned char> bytes;
+};
+
+/// Every file of shaders/ and textures/.
+[[nodiscard]] std::span<const Asset> assets();
+
+/// Contents of the asset `name`; throws RenderError when there is none.
+[[nodiscard]] std::span<const unsigned char> asset(std::string_view name);
+
+}  // namespace ember

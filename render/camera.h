@@ -1,0 +1,35 @@
+// The orbit camera: pure mathematics, no GL.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "render/view_params.h"
+
+namespace ember {
+
+struct Camera {
+    Eigen::Vector3f eye;          ///< [m]
+    Eigen::Matrix4f view;         ///< view-From-world
+    Eigen::Matrix4f projection;   ///< clip-From-view
+    float tan_half_fov = 0;       ///< [1] vertical
+};
+
+[[nodiscard]] Camera make_camera(const CameraParams& params, int width, int height);
+
+/// World point [m] to pixels from the top left corner (x, y) and depth in (0, 1) between the near
+/// and far plane; a depth outside means that the point is not in front of the camera.
+[[nodiscard]] Eigen::Vector3f project(const Camera& camera, const Eigen::Vector3f& point, int width,
+                                      int height);
+
+/// A ray through pixel (x, y): its direction in the world [1], from camera.eye.
+[[nodiscard]] Eigen::Vector3f ray_through(const Camera& camera, double x, double y, int width,
+                                          int height);
+
+/// Turns the camera around its target by mouse movements [rad].
+void orbit(CameraParams& params, double to_the_right, double upwards);
+/// Moves target and camera in the picture plane by shares of the picture's height.
+void pan(CameraParams& params, double to_the_right, double upwards);
+/// Divides the distance by `factor`.
+void zoom(CameraParams& params, double factor);
+
+}  // namespace ember

@@ -1,0 +1,111 @@
+// The passes of a frame, in the order in which they run. A pass whose input is empty is not run.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/camera.h"
+#include "render/flame_lights.h"
+#include "render/gl_objects.h"
+#include "render/palette.h"
+#include "render/renderer.h"
+#include "render/shader_library.h"
+#include "render/sheet_vertices.h"
+
+namespace ember {
+
+/// What every pass may look at.
+struct PassInput {
+    const Frame& frame;
+    const RenderParams& params;
+    const Camera& camera;
+    const FlameLights& lights;
+    int width, height;
+};
+
+/// Backdrop, ground and lighter.
+class StagePass {
+  public:
+    void draw(const PassInput& in);
+
+  private:
+    Program backdrop_{"screen", "backdrop"}, solid_{"solid"};
+    VertexArray empty_, shape_;
+    Buffer vertices_;
+};
+
+/// The sheets as lit quads, or coloured by a quantity.
+class SheetPass {
+  public:
+    SheetPass();
+    void draw(const PassInput& in);
+
+  private:
+    void upload_sheets(const WorldView& world);
+    Program program_{"sheet"};
+    Texture albedo_, glow_, heat_, mass_, fibre_;
+    VertexArray array_;
+    Buffer vertices_, indices_;
+    std::vector<SheetVertex> packed_;
+    std::vector<std::uint32_t> triangles_;
+    std::vector<std::uint64_t> uploaded_;  ///< topology that the index buffer holds
+};
+
+/// Springs as lines by kind (figures 4 and 6 of the paper).
+class LatticePass {
+  public:
+    LatticePass();
+    void draw(const PassInput& in);
+
+  private:
+    Program program_{"lines"};
+    VertexArray array_;
+    Buffer vertices_;
+};
+
+/// Fire particles as billboards, into a buffer of their own at half resolution.
+class FirePass {
+  public:
+    FirePass();
+    /// `depth` is the resolved depth of the scene. Leaves premultiplied light in texture().
+    void draw(const PassInput& in, const Texture& depth);
+    [[nodiscard]] const Texture& texture() const { return colour_; }
+
+  private:
+    Program program_{"fire"};
+    Texture colour_, ramp_, sprites_;
+    Framebuffer target_;
+    VertexArray array_;
+    Buffer instances_;
+    int width_ = 0, height_ = 0;
+};
+
+/// The scene buffers, and the film: bloom, tone mapping, sRGB.
+class FilmPass {
+  public:
+    explicit FilmPass(int samples) : samples_(samples) {}
+    void begin(int width, int height);          ///< binds and clears the multisampled buffers
+    void resolve();                             ///< to one sample per pixel
+    [[nodiscard]] const Texture& depth() const { return depth_; }
+    /// Develops the scene plus `fire` (may be null) into framebuffer `target`.
+    void develop(const PassInput& in, const Texture* fire, unsigned target);
+
+  private:
+    void allocate_buffers(int width, int height);
+    void blur(const PassInput& in, const Texture* fire);
+    int samples_;
+    int width_ = 0, height_ = 0;
+    Program bright_{"screen", "bright"}, blur_{"screen", "blur"}, film_{"screen", "film"};
+    VertexArray empty_;
+    Renderbuffer multi_colour_, multi_depth_;
+    Texture colour_, depth_, half_a_, half_b_;
+    Framebuffer multi_, single_, blur_a_, blur_b_;
+};
+
+/// Uploads a colour table as a 1-pixel-high texture.
+[[nodiscard]] Texture table_texture(Colour (*function)(double), double end);
+
+/// Sets camera, lights and view position for a lit program.
+void set_lighting(const Program& program, const PassInput& in);
+
+}  // namespace ember

@@ -1,0 +1,103 @@
+#include "render/renderer.h"
+
+#include "render/passes.h"
+
+namespace ember {
+namespace {
+
+void load_gl(GlLoader loader) {
+    if (gladLoadGL(loader) == 0) throw RenderError("OpenGL entry points cannot be loaded");
+    GLint major = 0, minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    if (major * 10 + minor < 33) {
+        throw RenderError("OpenGL 3.3 is needed, this is " + std::to_string(major) + "." +
+                          std::to_string(minor));
+    }
+}
+
+// Loads entry points before the passes create their objects.
+struct LoadedGl {
+    explicit LoadedGl(GlLoader loader) { load_gl(loader); }
+};
+
+}  // namespace
+
+struct Renderer::Passes {
+    LoadedGl gl;
+    StagePass stage;
+    SheetPass sheets;
+    LatticePass lattice;
+    FirePass fire;
+    FilmPass film;
+    Texture read_colour;
+    Framebuffer read_target;
+    PassCounters counters;
+
+    Passes(GlLoader loader, int samples) : gl(loader), film(samples) {}
+};
+
+Renderer::Renderer(GlLoader loader, int samples)
+    : passes_(std::make_unique<Passes>(loader, samples)) {}
+Renderer::~Renderer() = default;
+
+void Renderer::draw(const Frame& frame, const RenderParams& params, int width, int height,
+                    unsigned target) {
+    const Camera camera = make_camera(params.camera, width, height);
+    const FlameLights lights = gather_flame_lights(*frame.world);
+    const PassInput in{frame, params, camera, lights, width, height};
+    Passes& p = *passes_;
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    p.film.begin(width, height);
+    p.stage.draw(in);
+    if (params.view.mode == ViewMode::Lattice) {
+        p.lattice.draw(in);
+        ++p.counters.lattice;
+    } else {
+        p.sheets.draw(in);
+        ++p.counters.sheets;
+    }
+    p.film.resolve();
+    const bool fire = params.view.flames && params.view.mode == ViewMode::Beauty &&
+                      !frame.world->particles.x.empty();
+    if (fire) {
+        p.fire.draw(in, p.film.depth());
+        ++p.counters.fire;
+    }
+    p.film.develop(in, fire ? &p.fire.texture() : nullptr, target);
+    ++p.counters.frames;
+}
+
+Image Renderer::draw_image(const Frame& frame, const RenderParams& params, int width, int height) {
+    Passes& p = *passes_;
+    allocate(p.read_colour, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, p.read_target.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                           p.read_colour.name(), 0);
+    draw(frame, params, width, height, p.read_target.name());
+    const auto row = static_cast<std::size_t>(width) * 4;
+    std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, p.read_target.name());
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
+    Image image{width, height, {}};
+    image.rgba.reserve(upside_down.size());
+    for (int y = height - 1; y >= 0; --y) {
+        const auto begin = upside_down.begin() + static_cast<std::ptrdiff_t>(row) * y;
+        image.rgba.insert(image.rgba.end(), begin, begin + static_cast<std::ptrdiff_t>(row));
+    }
+    return image;
+}
+
+PassCounters Renderer::counters() const { return passes_->counters; }
+
+std::string Renderer::description() const {
+    const auto text = [](GLenum name) {
+        return std::string(reinterpret_cast<const char*>(glGetString(name)));
+    };
+    return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
+}  // namespace ember

@@ -1,0 +1,99 @@
+#include "render/shader_library.h"
+
+#include <utility>
+#include <vector>
+
+#include "render/assets.h"
+#include "render/renderer.h"
+
+namespace ember {
+namespace {
+
+std::string text_of(std::string_view file) {
+    const auto bytes = asset(file);
+    return {bytes.begin(), bytes.end()};
+}
+
+// "0:12(5): error: ..." as Mesa has it becomes "sheet.frag:12: error: ..."; other drivers' texts
+// are shown as they are, after the file name.
+std::string locate(std::string_view file, const std::string& log) {
+    const bool mesa = log.size() > 2 && log[1] == ':';
+    if (!mesa) return std::string(file) + ": " + log;
+    const std::size_t line_end = log.find_first_of("(:", 2), message = log.find(' ');
+    return std::string(file) + ':' + log.substr(2, line_end - 2) + ':' + log.substr(message);
+}
+
+GLuint compile(GLenum kind, std::string_view file, std::string_view source) {
+    const std::string common = "#version 330 core\n" + text_of("common.glsl") + "\n#line 1\n";
+    const std::string body(source);
+    const char* parts[] = {common.c_str(), body.c_str()};
+    const GLuint shader = glCreateShader(kind);
+    glShaderSource(shader, 2, parts, nullptr);
+    glCompileShader(shader);
+    GLint ok = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (ok == GL_TRUE) return shader;
+    std::vector<char> log(4096, '\0');
+    glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    glDeleteShader(shader);
+    throw RenderError(locate(file, log.data()));
+}
+
+}  // namespace
+
+Program::Program(std::string_view vertex, std::string_view fragment)
+    : Program(std::string(vertex) + ".vert", text_of(std::string(vertex) + ".vert"),
+              std::string(fragment) + ".frag", text_of(std::string(fragment) + ".frag")) {}
+
+Program::Program(std::string_view vertex_file, std::string_view vertex_source,
+                 std::string_view fragment_file, std::string_view fragment_source) {
+    const GLuint vertex = compile(GL_VERTEX_SHADER, vertex_file, vertex_source);
+    const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragment_file, fragment_source);
+    name_ = glCreateProgram();
+    glAttachShader(name_, vertex);
+    glAttachShader(name_, fragment);
+    glLinkProgram(name_);
+    glDeleteShader(vertex);
+    glDeleteShader(fragment);
+    GLint ok = GL_FALSE;
+    glGetProgramiv(name_, GL_LINK_STATUS, &ok);
+    if (ok == GL_TRUE) return;
+    std::vector<char> log(4096, '\0');
+    glGetProgramInfoLog(name_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    glDeleteProgram(name_);
+    throw RenderError(std::string(vertex_file) + " + " + std::string(fragment_file) + ": " +
+                      log.data());
+}
+
+Program::~Program() {
+    if (name_ != 0) glDeleteProgram(name_);
+}
+
+Program::Program(Program&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+
+void Program::set(const char* uniform, int value) const { glUniform1i(find(uniform), value); }
+void Program::set(const char* uniform, float value) const { glUniform1f(find(uniform), value); }
+void Program::set(const char* uniform, const Eigen::Vector2f& value) const {
+    glUniform2fv(find(uniform), 1, value.data());
+}
+void Program::set(const char* uniform, const Eigen::Vector3f& value) const {
+    glUniform3fv(find(uniform), 1, value.data());
+}
+void Program::set(const char* uniform, const Eigen::Vector4f& value) const {
+    glUniform4fv(find(uniform), 1, value.data());
+}
+void Program::set(const char* uniform, const Eigen::Matrix4f& value) const {
+    glUniformMatrix4fv(find(uniform), 1, GL_FALSE, value.data());
+}
+void Program::set_array(const char* uniform, int count, const Eigen::Vector4f* values) const {
+    glUniform4fv(find(uniform), count, values->data());
+}
+
+std::span<const unsigned char> asset(std::string_view name) {
+    for (const Asset& a : assets()) {
+        if (a.name == name) return a.bytes;
+    }
+    throw RenderError("no embedded file " + std::string(name));
+}
+
+}  // namespace ember
