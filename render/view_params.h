@@ -9,10 +9,10 @@ namespace ember {
 
 /// Orbit camera around a target.
 struct CameraParams {
-    double target_x = 0.0, target_y = 0.30, target_z = 0.0;  // [m]
+    double target_x = 0.0, target_y = 0.31, target_z = 0.0;  // [m]
     double azimuth = 0.35;               // [rad] around y; 0 looks along -z
     double elevation = 0.10;             // [rad] above the horizon
-    double distance = 0.95;              // [m]
+    double distance = 0.78;              // [m]
     double field_of_view = 0.61;         // [rad] vertical
 };
 

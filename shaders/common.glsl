@@ -14,7 +14,7 @@ const vec3 kFlameColour = vec3(1.00, 0.46, 0.13);
 
 // Backdrop colour by height of the view direction (-1 down .. 1 up).
 vec3 backdrop(float up) {
-    return mix(vec3(0.040, 0.043, 0.050), vec3(0.105, 0.120, 0.145), smoothstep(-0.25, 0.45, up));
+    return mix(vec3(0.010, 0.011, 0.013), vec3(0.030, 0.034, 0.041), smoothstep(-0.25, 0.45, up));
 }
 
 // A cheap hash in [0, 1) without trigonometry, which would differ between processors.

@@ -8,12 +8,12 @@ out vec4 o_colour;
 
 void main() {
     vec3 n = normalize(v_normal);
-    vec3 light = studio_irradiance(n, 0.0) * 0.55 + flame_irradiance(v_place, n, 0.0);
+    vec3 light = studio_irradiance(n, 0.0) * 0.28 + flame_irradiance(v_place, n, 0.0);
     vec3 colour = u_albedo * light;
     if (u_fog > 0.0) {
         colour *= 0.92 + 0.16 * fractal_noise(v_place.xz * 90.0);
         float distance_from_stage = length(v_place.xz);
-        colour = mix(colour, backdrop(-0.25), smoothstep(0.35, 2.2, distance_from_stage));
+        colour = mix(colour, backdrop(-0.25), smoothstep(0.10, 1.5, distance_from_stage));
     }
     o_colour = vec4(colour, 1.0);
 }
