@@ -7,7 +7,7 @@
 namespace ember {
 
 struct Asset {
-    std::string_view name;                  ///< file name without folders
+    std::string_view name;  ///< file name without folders
     std::span<const unsigned char> bytes;
 };
 

@@ -8,7 +8,7 @@
 namespace ember {
 namespace {
 
-constexpr double kSteepest = 1.55;  // [rad] just short of looking straight down
+constexpr double kSteepest = 1.55;                   // [rad] just short of looking straight down
 constexpr double kNearest = 0.02, kFarthest = 20.0;  // [m]
 
 struct Frame3 {

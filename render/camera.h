@@ -8,10 +8,10 @@
 namespace ember {
 
 struct Camera {
-    Eigen::Vector3f eye;          ///< [m]
-    Eigen::Matrix4f view;         ///< view-From-world
-    Eigen::Matrix4f projection;   ///< clip-From-view
-    float tan_half_fov = 0;       ///< [1] vertical
+    Eigen::Vector3f eye;         ///< [m]
+    Eigen::Matrix4f view;        ///< view-From-world
+    Eigen::Matrix4f projection;  ///< clip-From-view
+    float tan_half_fov = 0;      ///< [1] vertical
 };
 
 [[nodiscard]] Camera make_camera(const CameraParams& params, int width, int height);

@@ -5,11 +5,11 @@ namespace ember {
 namespace {
 
 struct FireInstance {
-    float x, y, z;      // [m]
-    float vx, vy, vz;   // [m/s]
-    float heat;         // [1]
-    float life;         // [1] share of its life that is over
-    float seed;         // [0, 1)
+    float x, y, z;     // [m]
+    float vx, vy, vz;  // [m/s]
+    float heat;        // [1]
+    float life;        // [1] share of its life that is over
+    float seed;        // [0, 1)
 };
 
 std::vector<FireInstance> pack(const WorldView& world) {
@@ -62,7 +62,8 @@ void FirePass::draw(const PassInput& in, const Texture& depth) {
     program_.set("u_projection", in.camera.projection);
     program_.set("u_size", static_cast<float>(in.params.look.flame_size));
     program_.set("u_brightness", static_cast<float>(in.params.look.flame_brightness));
-    program_.set("u_pixels", Eigen::Vector2f(static_cast<float>(width), static_cast<float>(height)));
+    program_.set("u_pixels",
+                 Eigen::Vector2f(static_cast<float>(width), static_cast<float>(height)));
     bind_texture(0, sprites_);
     bind_texture(1, ramp_);
     bind_texture(2, depth);

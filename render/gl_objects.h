@@ -27,15 +27,15 @@ class GlObject {
     GLuint name_;
 };
 
-#define EMBER_GL_TRAITS(Type, gen, del)            \
-    struct Type##Traits {                          \
-        static GLuint create() {                   \
-            GLuint name = 0;                       \
-            gen(1, &name);                         \
-            return name;                           \
-        }                                          \
+#define EMBER_GL_TRAITS(Type, gen, del)                     \
+    struct Type##Traits {                                   \
+        static GLuint create() {                            \
+            GLuint name = 0;                                \
+            gen(1, &name);                                  \
+            return name;                                    \
+        }                                                   \
         static void destroy(GLuint name) { del(1, &name); } \
-    };                                             \
+    };                                                      \
     using Type = GlObject<Type##Traits>
 EMBER_GL_TRAITS(Buffer, glGenBuffers, glDeleteBuffers);
 EMBER_GL_TRAITS(VertexArray, glGenVertexArrays, glDeleteVertexArrays);

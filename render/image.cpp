@@ -16,9 +16,9 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-constexpr std::ptrdiff_t kSignature = 8;      // bytes of the PNG signature
-constexpr std::ptrdiff_t kHeaderChunk = 25;   // length, "IHDR", 13 bytes, CRC
-constexpr std::size_t kAroundData = 12;    // length, type and CRC of a chunk
+constexpr std::ptrdiff_t kSignature = 8;     // bytes of the PNG signature
+constexpr std::ptrdiff_t kHeaderChunk = 25;  // length, "IHDR", 13 bytes, CRC
+constexpr std::size_t kAroundData = 12;      // length, type and CRC of a chunk
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
     throw std::runtime_error(path.string() + ": " + reason);
@@ -29,7 +29,8 @@ std::uint32_t crc32(const unsigned char* bytes, std::size_t count) {
     std::uint32_t crc = 0xFFFFFFFFu;
     for (std::size_t i = 0; i < count; ++i) {
         crc ^= bytes[i];
-        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (0xEDB88320u & (0u - (crc & 1u)));
+        for (int bit = 0; bit < 8; ++bit)
+            crc = (crc >> 1) ^ (0xEDB88320u & (0u - (crc & 1u)));
     }
     return ~crc;
 }
@@ -48,9 +49,11 @@ std::uint32_t get32(const Bytes& in, std::size_t at) {
 void put_text_chunk(Bytes& out, const std::string& keyword, const std::string& text) {
     put32(out, static_cast<std::uint32_t>(keyword.size() + 1 + text.size()));
     const std::size_t type = out.size();
-    for (const char c : std::string("tEXt") + keyword) out.push_back(static_cast<unsigned char>(c));
+    for (const char c : std::string("tEXt") + keyword)
+        out.push_back(static_cast<unsigned char>(c));
     out.push_back(0);
-    for (const char c : text) out.push_back(static_cast<unsigned char>(c));
+    for (const char c : text)
+        out.push_back(static_cast<unsigned char>(c));
     put32(out, crc32(out.data() + type, out.size() - type));
 }
 
@@ -67,7 +70,8 @@ Bytes encode(const Image& image, const ImageText& text) {
     }
     const auto split = png.begin() + kSignature + kHeaderChunk;
     Bytes out(png.begin(), split);
-    for (const auto& [keyword, value] : text) put_text_chunk(out, keyword, value);
+    for (const auto& [keyword, value] : text)
+        put_text_chunk(out, keyword, value);
     out.insert(out.end(), split, png.end());
     return out;
 }

@@ -6,9 +6,9 @@
 namespace ember {
 
 struct ImageDifference {
-    bool comparable = false;      ///< same size
-    int max_difference = 0;       ///< [levels] largest over all channels
-    std::int64_t pixels = 0;      ///< that differ at all
+    bool comparable = false;  ///< same size
+    int max_difference = 0;   ///< [levels] largest over all channels
+    std::int64_t pixels = 0;  ///< that differ at all
     [[nodiscard]] bool identical() const { return comparable && pixels == 0; }
 };
 

@@ -10,7 +10,9 @@ struct LineVertex {
 // The paper's colours: structural springs blue and pink, diagonals yellow, bending springs dark;
 // springs between two burnt-out nodes are dimmed.
 Colour spring_colour(const SheetView& sheet, const SpringSegment& s) {
-    const auto row = [&](Index n) { return sheet.site[static_cast<std::size_t>(n)] / sheet.column_count; };
+    const auto row = [&](Index n) {
+        return sheet.site[static_cast<std::size_t>(n)] / sheet.column_count;
+    };
     Colour colour(0.35f, 0.36f, 0.40f);
     if (s.kind == SpringKind::Diagonal) colour = Colour(0.75f, 0.60f, 0.06f);
     if (s.kind == SpringKind::Structural) {

@@ -35,10 +35,17 @@ class Library {
 class OsMesaContext final : public OffscreenContext {
   public:
     OsMesaContext() : library_("libOSMesa.so.8") {
-        const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 0,
-                                  OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                  OSMESA_CONTEXT_MAJOR_VERSION, 3,
-                                  OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+        const int attributes[] = {OSMESA_FORMAT,
+                                  OSMESA_RGBA,
+                                  OSMESA_DEPTH_BITS,
+                                  0,
+                                  OSMESA_PROFILE,
+                                  OSMESA_CORE_PROFILE,
+                                  OSMESA_CONTEXT_MAJOR_VERSION,
+                                  3,
+                                  OSMESA_CONTEXT_MINOR_VERSION,
+                                  3,
+                                  0};
         const auto create =
             library_.find<OSMesaContext(const int*, OSMesaContext)>("OSMesaCreateContextAttribs");
         destroy_ = library_.find<void(OSMesaContext)>("OSMesaDestroyContext");
@@ -85,15 +92,18 @@ class EglContext final : public OffscreenContext {
             throw RenderError("no surfaceless display");
         }
         library_.find<EGLBoolean(EGLenum)>("eglBindAPI")(EGL_OPENGL_API);
-        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
+        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                     3,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     3,
                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
         const auto create =
             library_.find<EGLContext(EGLDisplay, EGLConfig, EGLContext, const EGLint*)>(
                 "eglCreateContext");
-        make_current_ =
-            library_.find<EGLBoolean(EGLDisplay, EGLSurface, EGLSurface, EGLContext)>(
-                "eglMakeCurrent");
+        make_current_ = library_.find<EGLBoolean(EGLDisplay, EGLSurface, EGLSurface, EGLContext)>(
+            "eglMakeCurrent");
         context_ = create(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
         if (context_ == EGL_NO_CONTEXT ||
             make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {

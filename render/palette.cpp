@@ -24,11 +24,11 @@ Colour between_stops(std::span<const Stop> stops, double x) {
     return colour(stops.back());
 }
 
-constexpr Stop kAlbedo[] = {
-    {0.00, 0.86f, 0.84f, 0.78f},   {0.15, 0.80f, 0.73f, 0.58f},  {0.35, 0.48f, 0.33f, 0.17f},
-    {0.60, 0.13f, 0.070f, 0.030f}, {0.85, 0.022f, 0.016f, 0.012f}, {1.00, 0.010f, 0.009f, 0.009f},
-    {2.00, 0.011f, 0.011f, 0.011f}, {2.25, 0.020f, 0.020f, 0.021f}, {3.00, 0.085f, 0.085f, 0.085f},
-    {4.00, 0.160f, 0.158f, 0.152f}};
+constexpr Stop kAlbedo[] = {{0.00, 0.86f, 0.84f, 0.78f},    {0.15, 0.80f, 0.73f, 0.58f},
+                            {0.35, 0.48f, 0.33f, 0.17f},    {0.60, 0.13f, 0.070f, 0.030f},
+                            {0.85, 0.022f, 0.016f, 0.012f}, {1.00, 0.010f, 0.009f, 0.009f},
+                            {2.00, 0.011f, 0.011f, 0.011f}, {2.25, 0.020f, 0.020f, 0.021f},
+                            {3.00, 0.085f, 0.085f, 0.085f}, {4.00, 0.160f, 0.158f, 0.152f}};
 
 // The rim is narrow and bright where a point has just ignited; behind it embers fade.
 constexpr Stop kGlow[] = {
@@ -36,18 +36,20 @@ constexpr Stop kGlow[] = {
     {1.09, 3.6f, 0.85f, 0.09f},    {1.22, 0.75f, 0.11f, 0.010f}, {1.50, 0.30f, 0.036f, 0.003f},
     {2.00, 0.16f, 0.017f, 0.001f}, {2.35, 0.03f, 0.003f, 0.0f},  {2.60, 0.0f, 0.0f, 0.0f}};
 
-constexpr Stop kFlame[] = {
-    {0.00, 0.000f, 0.000f, 0.000f}, {0.12, 0.010f, 0.001f, 0.000f}, {0.25, 0.070f, 0.012f, 0.002f},
-    {0.45, 0.340f, 0.082f, 0.010f}, {0.65, 0.950f, 0.310f, 0.038f}, {0.85, 1.700f, 0.760f, 0.120f},
-    {1.00, 2.100f, 1.200f, 0.300f}};
+constexpr Stop kFlame[] = {{0.00, 0.000f, 0.000f, 0.000f}, {0.12, 0.010f, 0.001f, 0.000f},
+                           {0.25, 0.070f, 0.012f, 0.002f}, {0.45, 0.340f, 0.082f, 0.010f},
+                           {0.65, 0.950f, 0.310f, 0.038f}, {0.85, 1.700f, 0.760f, 0.120f},
+                           {1.00, 2.100f, 1.200f, 0.300f}};
 
-constexpr Stop kHeat[] = {
-    {0.00, 0.002f, 0.001f, 0.012f}, {0.20, 0.090f, 0.008f, 0.150f}, {0.40, 0.330f, 0.018f, 0.130f},
-    {0.60, 0.720f, 0.085f, 0.035f}, {0.80, 0.950f, 0.380f, 0.020f}, {1.00, 0.975f, 0.960f, 0.420f}};
+constexpr Stop kHeat[] = {{0.00, 0.002f, 0.001f, 0.012f}, {0.20, 0.090f, 0.008f, 0.150f},
+                          {0.40, 0.330f, 0.018f, 0.130f}, {0.60, 0.720f, 0.085f, 0.035f},
+                          {0.80, 0.950f, 0.380f, 0.020f}, {1.00, 0.975f, 0.960f, 0.420f}};
 
-constexpr Stop kMass[] = {
-    {0.00, 0.058f, 0.001f, 0.090f}, {0.25, 0.042f, 0.085f, 0.255f}, {0.50, 0.015f, 0.275f, 0.262f},
-    {0.75, 0.105f, 0.560f, 0.130f}, {1.00, 0.980f, 0.800f, 0.020f}};
+constexpr Stop kMass[] = {{0.00, 0.058f, 0.001f, 0.090f},
+                          {0.25, 0.042f, 0.085f, 0.255f},
+                          {0.50, 0.015f, 0.275f, 0.262f},
+                          {0.75, 0.105f, 0.560f, 0.130f},
+                          {1.00, 0.980f, 0.800f, 0.020f}};
 
 }  // namespace
 
@@ -55,23 +57,38 @@ double burn_progress(Phase phase, double temperature, double ignition, double bu
     switch (phase) {
         case Phase::Unburnt:
             return std::clamp((temperature - kScorchStart) / (ignition - kScorchStart), 0.0, 1.0);
-        case Phase::Burning: return 1.0 + std::clamp(burnt, 0.0, 1.0);
-        case Phase::BurntOut: return std::min(2.0 + age / kAshTime, kBurnProgressEnd);
+        case Phase::Burning:
+            return 1.0 + std::clamp(burnt, 0.0, 1.0);
+        case Phase::BurntOut:
+            return std::min(2.0 + age / kAshTime, kBurnProgressEnd);
     }
     return 0.0;
 }
 
-Colour paper_albedo(double p) { return between_stops(kAlbedo, p); }
-Colour paper_glow(double p) { return p < kGlow[0].at ? Colour::Zero() : between_stops(kGlow, p); }
-Colour flame_colour(double u) { return between_stops(kFlame, u); }
-Colour heat_map(double x) { return between_stops(kHeat, x); }
-Colour mass_map(double x) { return between_stops(kMass, x); }
+Colour paper_albedo(double p) {
+    return between_stops(kAlbedo, p);
+}
+Colour paper_glow(double p) {
+    return p < kGlow[0].at ? Colour::Zero() : between_stops(kGlow, p);
+}
+Colour flame_colour(double u) {
+    return between_stops(kFlame, u);
+}
+Colour heat_map(double x) {
+    return between_stops(kHeat, x);
+}
+Colour mass_map(double x) {
+    return between_stops(kMass, x);
+}
 
 Colour phase_colour(Phase phase) {
     switch (phase) {
-        case Phase::Unburnt: return {0.80f, 0.78f, 0.70f};
-        case Phase::Burning: return {0.90f, 0.22f, 0.02f};
-        case Phase::BurntOut: return {0.05f, 0.06f, 0.10f};
+        case Phase::Unburnt:
+            return {0.80f, 0.78f, 0.70f};
+        case Phase::Burning:
+            return {0.90f, 0.22f, 0.02f};
+        case Phase::BurntOut:
+            return {0.05f, 0.06f, 0.10f};
     }
     return Colour::Zero();
 }

@@ -19,7 +19,7 @@ namespace ember {
 using Colour = Eigen::Vector3f;
 
 inline constexpr double kBurnProgressEnd = 4.0;
-inline constexpr double kAshTime = 2.5;      ///< [s] per unit of p after burning out
+inline constexpr double kAshTime = 2.5;  ///< [s] per unit of p after burning out
 
 /// Burn progress of a node. temperature and ignition [K], burnt: share of the combustible mass that
 /// is gone [1], age: time since the node burnt out [s].

@@ -84,8 +84,8 @@ class FirePass {
 class FilmPass {
   public:
     explicit FilmPass(int samples) : samples_(samples) {}
-    void begin(int width, int height);          ///< binds and clears the multisampled buffers
-    void resolve();                             ///< to one sample per pixel
+    void begin(int width, int height);  ///< binds and clears the multisampled buffers
+    void resolve();                     ///< to one sample per pixel
     [[nodiscard]] const Texture& depth() const { return depth_; }
     /// Develops the scene plus `fire` (may be null) into framebuffer `target`.
     void develop(const PassInput& in, const Texture* fire, unsigned target);

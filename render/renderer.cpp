@@ -91,7 +91,9 @@ Image Renderer::draw_image(const Frame& frame, const RenderParams& params, int w
     return image;
 }
 
-PassCounters Renderer::counters() const { return passes_->counters; }
+PassCounters Renderer::counters() const {
+    return passes_->counters;
+}
 
 std::string Renderer::description() const {
     const auto text = [](GLenum name) {

@@ -71,8 +71,12 @@ Program::~Program() {
 
 Program::Program(Program&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
 
-void Program::set(const char* uniform, int value) const { glUniform1i(find(uniform), value); }
-void Program::set(const char* uniform, float value) const { glUniform1f(find(uniform), value); }
+void Program::set(const char* uniform, int value) const {
+    glUniform1i(find(uniform), value);
+}
+void Program::set(const char* uniform, float value) const {
+    glUniform1f(find(uniform), value);
+}
 void Program::set(const char* uniform, const Eigen::Vector2f& value) const {
     glUniform2fv(find(uniform), 1, value.data());
 }

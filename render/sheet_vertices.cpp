@@ -16,7 +16,8 @@ std::vector<Eigen::Vector3f> node_normals(const SheetView& sheet) {
     };
     for (const Quad& q : sheet.quads) {
         const Eigen::Vector3f area = (at(q[2]) - at(q[0])).cross(at(q[3]) - at(q[1]));
-        for (const Index node : q) normals[static_cast<std::size_t>(node)] += area;
+        for (const Index node : q)
+            normals[static_cast<std::size_t>(node)] += area;
     }
     for (Eigen::Vector3f& n : normals) {
         const float length = n.norm();
@@ -39,9 +40,8 @@ void append_vertices(const SheetView& sheet, const WorldView& world,
         const Index column = sheet.site[n] % sheet.column_count;
         const double left = sheet.mass[n] / sheet.initial_mass[n];
         const double burnt = (1.0 - left) / (1.0 - world.residual_mass);
-        const double progress =
-            burn_progress(sheet.phase[n], sheet.temperature[n], world.ignition, burnt,
-                          world.time - sheet.burnout_time[n]);
+        const double progress = burn_progress(sheet.phase[n], sheet.temperature[n], world.ignition,
+                                              burnt, world.time - sheet.burnout_time[n]);
         vertices.push_back({static_cast<float>(sheet.x[n]), static_cast<float>(sheet.y[n]),
                             static_cast<float>(sheet.z[n]), normals[n].x(), normals[n].y(),
                             normals[n].z(), static_cast<float>(mm_along * column),

@@ -10,13 +10,13 @@ namespace ember {
 
 /// One node as the sheet shader sees it.
 struct SheetVertex {
-    float x, y, z;           ///< [m]
-    float nx, ny, nz;        ///< unit normal
-    float u, v;              ///< place on the unburnt sheet, main and cross direction [mm]
-    float progress;          ///< burn progress, see palette.h
-    float temperature;       ///< [degC]
-    float mass;              ///< share of the initial mass that is left [1]
-    float phase;             ///< 0, 1, 2
+    float x, y, z;      ///< [m]
+    float nx, ny, nz;   ///< unit normal
+    float u, v;         ///< place on the unburnt sheet, main and cross direction [mm]
+    float progress;     ///< burn progress, see palette.h
+    float temperature;  ///< [degC]
+    float mass;         ///< share of the initial mass that is left [1]
+    float phase;        ///< 0, 1, 2
 };
 
 /// Appends the nodes of `sheet`. Normals are area-weighted over the quads of each node.

@@ -31,12 +31,15 @@ void append_lighter(const Vector3& at, std::vector<SolidVertex>& v) {
                 return SolidVertex{static_cast<float>(at.x() + kRadius * nx),
                                    static_cast<float>(at.y() + y),
                                    static_cast<float>(at.z() + kRadius * nz),
-                                   static_cast<float>(nx), 0.0f, static_cast<float>(nz)};
+                                   static_cast<float>(nx),
+                                   0.0f,
+                                   static_cast<float>(nz)};
             };
             top[static_cast<std::size_t>(end)] = vertex(kTop);
             bottom[static_cast<std::size_t>(end)] = vertex(kBottom);
         }
-        for (const SolidVertex& corner : {top[0], bottom[0], bottom[1], top[0], bottom[1], top[1]}) {
+        for (const SolidVertex& corner :
+             {top[0], bottom[0], bottom[1], top[0], bottom[1], top[1]}) {
             v.push_back(corner);
         }
     }

@@ -15,15 +15,35 @@ constexpr std::string_view kModes[] = {"beauty", "lattice", "temperature", "mass
 template <auto Group, auto Field>
 constexpr ParamInfo real(std::string_view key, Unit unit, ParamRange hard, ParamRange tested,
                          ParamScale scale, std::string_view help) {
-    return {key,   "",   unit, ParamKind::Real, hard, tested,
-            scale, Live, help, "Our choice",    {},   &Access<Group, Field>::get,
+    return {key,
+            "",
+            unit,
+            ParamKind::Real,
+            hard,
+            tested,
+            scale,
+            Live,
+            help,
+            "Our choice",
+            {},
+            &Access<Group, Field>::get,
             &Access<Group, Field>::set};
 }
 
 template <auto Group, auto Field>
 constexpr ParamInfo toggle(std::string_view key, std::string_view help) {
-    return {key,    "",   unit::one, ParamKind::Toggle, {0, 1}, {0, 1},
-            Linear, Live, help,      "Our choice",      {},     &Access<Group, Field>::get,
+    return {key,
+            "",
+            unit::one,
+            ParamKind::Toggle,
+            {0, 1},
+            {0, 1},
+            Linear,
+            Live,
+            help,
+            "Our choice",
+            {},
+            &Access<Group, Field>::get,
             &Access<Group, Field>::set};
 }
 
@@ -31,8 +51,18 @@ template <auto Group, auto Field>
 constexpr ParamInfo choice(std::string_view key, std::span<const std::string_view> names,
                            std::string_view help) {
     const ParamRange all{0, static_cast<double>(names.size() - 1)};
-    return {key,    "",   unit::one, ParamKind::Choice, all,   all,
-            Linear, Live, help,      "Our choice",      names, &Access<Group, Field>::get,
+    return {key,
+            "",
+            unit::one,
+            ParamKind::Choice,
+            all,
+            all,
+            Linear,
+            Live,
+            help,
+            "Our choice",
+            names,
+            &Access<Group, Field>::get,
             &Access<Group, Field>::set};
 }
 
@@ -47,8 +77,8 @@ constexpr ParamInfo kRows[] = {
                                              "Where the camera stands around the paper."),
     real<&R::camera, &CameraParams::elevation>("camera.elevation", unit::degree, {-89, 89},
                                                {-30, 60}, Linear, "How far it looks down."),
-    real<&R::camera, &CameraParams::distance>("camera.distance", unit::metre, {0.02, 20},
-                                              {0.2, 3}, Logarithmic, "From the target."),
+    real<&R::camera, &CameraParams::distance>("camera.distance", unit::metre, {0.02, 20}, {0.2, 3},
+                                              Logarithmic, "From the target."),
     real<&R::camera, &CameraParams::field_of_view>("camera.field_of_view", unit::degree, {1, 150},
                                                    {15, 70}, Linear, "Vertical angle of view."),
     real<&R::camera, &CameraParams::target_x>("camera.target_x", unit::millimetre, {-5000, 5000},
@@ -63,14 +93,15 @@ constexpr ParamInfo kRows[] = {
     real<&R::look, &LookParams::key_light>("look.key_light", unit::one, {0, 100}, {0, 3}, Linear,
                                            "Brightness of the studio light."),
     real<&R::look, &LookParams::flame_light>("look.flame_light", unit::one, {0, 100}, {0, 4},
-                                             Linear, "Light that flames throw on paper and ground."),
+                                             Linear,
+                                             "Light that flames throw on paper and ground."),
     real<&R::look, &LookParams::flame_size>("look.flame_size", unit::millimetre, {0.5, 500},
                                             {5, 60}, Linear,
                                             "Radius of a fire sprite at birth temperature."),
     real<&R::look, &LookParams::flame_brightness>("look.flame_brightness", unit::one, {0, 100},
                                                   {0.2, 4}, Linear, "Brightness of flames."),
-    real<&R::shot, &ShotParams::duration>("shot.duration", unit::second, {0, 3600}, {1, 30},
-                                          Linear, "Length of the shot that render draws."),
+    real<&R::shot, &ShotParams::duration>("shot.duration", unit::second, {0, 3600}, {1, 30}, Linear,
+                                          "Length of the shot that render draws."),
     real<&R::shot, &ShotParams::fps>("shot.fps", unit::hertz, {0.1, 1000}, {24, 60}, Linear,
                                      "Pictures per second of the shot."),
 };
@@ -83,8 +114,12 @@ static_assert(field_count<RenderParams> == 4, "every group needs rows and an ass
 
 }  // namespace
 
-std::span<const ParamInfo> render_param_rows() { return kRows; }
+std::span<const ParamInfo> render_param_rows() {
+    return kRows;
+}
 
-ParamBinding bind(RenderParams& params) { return {kRows, &params}; }
+ParamBinding bind(RenderParams& params) {
+    return {kRows, &params};
+}
 
 }  // namespace ember

@@ -10,10 +10,10 @@ namespace ember {
 /// Orbit camera around a target.
 struct CameraParams {
     double target_x = 0.0, target_y = 0.31, target_z = 0.0;  // [m]
-    double azimuth = 0.35;               // [rad] around y; 0 looks along -z
-    double elevation = 0.10;             // [rad] above the horizon
-    double distance = 0.78;              // [m]
-    double field_of_view = 0.61;         // [rad] vertical
+    double azimuth = 0.35;                                   // [rad] around y; 0 looks along -z
+    double elevation = 0.10;                                 // [rad] above the horizon
+    double distance = 0.78;                                  // [m]
+    double field_of_view = 0.61;                             // [rad] vertical
 };
 
 enum class ViewMode : std::uint8_t { Beauty, Lattice, Temperature, Mass, State };
@@ -27,17 +27,17 @@ struct ViewParams {
 
 /// Light and film.
 struct LookParams {
-    double exposure = 1.0;               // [1]
-    double key_light = 1.0;              // [1]
-    double flame_light = 1.0;            // [1] light that the flames throw on the sheet and ground
-    double flame_size = 0.030;           // [m] billboard radius at birth temperature
-    double flame_brightness = 1.0;       // [1]
+    double exposure = 1.0;          // [1]
+    double key_light = 1.0;         // [1]
+    double flame_light = 1.0;       // [1] light that the flames throw on the sheet and ground
+    double flame_size = 0.030;      // [m] billboard radius at birth temperature
+    double flame_brightness = 1.0;  // [1]
 };
 
 /// Length of the shot that `render` draws when no frames are given.
 struct ShotParams {
-    double duration = 10.0;              // [s]
-    double fps = 30.0;                   // [1/s]
+    double duration = 10.0;  // [s]
+    double fps = 30.0;       // [1/s]
 };
 
 struct RenderParams {

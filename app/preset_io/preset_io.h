@@ -13,12 +13,14 @@ namespace ember {
 /// One problem of an input, printed as "file:line:column: error: key: message".
 struct Diagnostic {
     enum class Severity { Error, Warning } severity = Severity::Error;
-    std::string file;      ///< path, or "--set" and the like
+    std::string file;          ///< path, or "--set" and the like
     int line = 0, column = 0;  ///< 1-based; 0 when there is none
     std::string key;
-    std::string message;   ///< what was expected, what was found, nearest valid key
+    std::string message;  ///< what was expected, what was found, nearest valid key
 
     [[nodiscard]] std::string text() const;
+    /// The line of the file and a caret below the place; empty when there is none.
+    [[nodiscard]] std::string excerpt() const;
 };
 
 struct PresetInfo {
@@ -30,7 +32,7 @@ struct PresetInfo {
 struct PresetResult {
     PresetInfo info;
     std::vector<Diagnostic> diagnostics;
-    [[nodiscard]] bool ok() const;             ///< no errors (warnings do not count)
+    [[nodiscard]] bool ok() const;  ///< no errors (warnings do not count)
 };
 
 /// Reads `path` with everything it inherits into the objects of `bindings` (which start out with
@@ -38,15 +40,26 @@ struct PresetResult {
 [[nodiscard]] PresetResult load_preset(const std::filesystem::path& path,
                                        std::span<const ParamBinding> bindings);
 
-/// Applies "key=value" (the value as in a preset; bare words are strings).
+/// Applies "key=value" (the value as in a preset; bare words are strings). Problems are said to be
+/// in `origin`, the name of the flag that the assignment comes from.
 [[nodiscard]] std::vector<Diagnostic> apply_override(const std::string& assignment,
-                                                     std::span<const ParamBinding> bindings);
+                                                     std::span<const ParamBinding> bindings,
+                                                     const std::string& origin = "--set");
 
-/// A complete preset text that holds every value that differs from its default, in shown units.
+/// Finds a preset by path or name, with or without ".toml": in `beside`, then among the built-in
+/// ones, as in "paper/corner". Empty when there is none.
+[[nodiscard]] std::filesystem::path find_preset(const std::string& name,
+                                                const std::filesystem::path& beside);
+
+/// Folders of built-in presets, in order of search.
+[[nodiscard]] std::vector<std::filesystem::path> preset_folders();
+
+/// A complete preset that holds every value, in shown units: reads back to the same parameters
+/// whatever the defaults of a later version are.
 [[nodiscard]] std::string preset_text(std::span<const ParamBinding> bindings,
                                       const PresetInfo& info);
 
-/// docs/PARAMETERS.md, generated from the tables.
+/// docs/PARAMETERS.md, generated from the tables; the bound objects must hold the defaults.
 [[nodiscard]] std::string parameters_markdown(std::span<const ParamBinding> bindings);
 
 /// The key among `bindings` that is nearest to `key`, or empty when none is near.

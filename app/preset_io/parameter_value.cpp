@@ -1,0 +1,165 @@
+#include "app/preset_io/parameter_value.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace ember {
+namespace {
+
+std::string shown_value(const PresetValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return '"' + *text + '"';
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
+    return number_text(std::get<double>(value));
+}
+
+ParsedValue refuse(const ParamInfo& row, const PresetValue& value, const std::string& more = {}) {
+    return {0, "expected " + expected(row) + ", got " + shown_value(value) + more, {}};
+}
+
+double parsed(const std::string& text) {
+    double value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+std::string text_of_15_digits(double value) {
+    char text[64];
+    const auto end =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::general, 15).ptr;
+    return {text, end};
+}
+
+double rounded(double value) {
+    return std::isfinite(value) ? parsed(text_of_15_digits(value)) : value;
+}
+
+// Shortest text that reads back to exactly this double.
+std::string exact_text(double value) {
+    char text[64];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+// The shown value whose SI value is `si` to the last bit: converting there and back may lose it.
+double exact_shown(const Unit& unit, double si) {
+    const double nearest = unit.from_si(si);
+    double below = nearest, above = nearest;
+    if (unit.to_si(rounded(nearest)) == si) return rounded(nearest);
+    for (int i = 0; i < 8; ++i) {
+        if (unit.to_si(below) == si) return below;
+        if (unit.to_si(above) == si) return above;
+        below = std::nextafter(below, -HUGE_VAL);
+        above = std::nextafter(above, HUGE_VAL);
+    }
+    return nearest;
+}
+
+const Unit* find_unit(std::string_view name, std::string_view dimension) {
+    for (const Unit& unit : kUnits) {
+        if (unit.name == name && unit.dimension == dimension) return &unit;
+    }
+    return nullptr;
+}
+
+std::string units_of(std::string_view dimension) {
+    std::string list;
+    for (const Unit& unit : kUnits) {
+        if (unit.dimension != dimension || unit.name.empty()) continue;
+        list += (list.empty() ? "" : ", ") + std::string(unit.name);
+    }
+    return list.empty() ? "no unit" : list;
+}
+
+// "0.08 kg/m^2" into the row's shown unit.
+ParsedValue parse_quantity(const ParamInfo& row, const std::string& text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc()) return refuse(row, text);
+    std::string_view unit_name(end, static_cast<std::size_t>(text.data() + text.size() - end));
+    while (!unit_name.empty() && unit_name.front() == ' ')
+        unit_name.remove_prefix(1);
+    while (!unit_name.empty() && unit_name.back() == ' ')
+        unit_name.remove_suffix(1);
+    const Unit* unit = find_unit(unit_name, row.unit.dimension);
+    if (unit == nullptr) {
+        return refuse(row, text, "; units that fit: " + units_of(row.unit.dimension));
+    }
+    // 15 digits: the conversion leaves noise in the last ones, which could miss the range's end
+    return {rounded(row.unit.from_si(unit->to_si(number))), {}, {}};
+}
+
+ParsedValue parse_choice(const ParamInfo& row, const PresetValue& value) {
+    const auto* text = std::get_if<std::string>(&value);
+    for (std::size_t i = 0; text != nullptr && i < row.choices.size(); ++i) {
+        if (row.choices[i] == *text) return {static_cast<double>(i), {}, {}};
+    }
+    return refuse(row, value);
+}
+
+}  // namespace
+
+ParsedValue parse_value(const ParamInfo& row, const PresetValue& value) {
+    if (row.kind == ParamKind::Choice) return parse_choice(row, value);
+    const auto* flag = std::get_if<bool>(&value);
+    if (row.kind == ParamKind::Toggle) {
+        return flag != nullptr ? ParsedValue{*flag ? 1.0 : 0.0, {}, {}} : refuse(row, value);
+    }
+    ParsedValue result;
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+        result.shown = static_cast<double>(*whole);
+    } else if (const auto* real = std::get_if<double>(&value)) {
+        result.shown = *real;
+    } else if (const auto* text = std::get_if<std::string>(&value)) {
+        result = parse_quantity(row, *text);
+        if (!result.error.empty()) return result;
+    } else {
+        return refuse(row, value);
+    }
+    const bool whole = row.kind != ParamKind::Integer || result.shown == std::floor(result.shown);
+    if (!whole || !row.hard.contains(result.shown)) return refuse(row, value);
+    if (!row.tested.contains(result.shown)) {
+        result.warning = "outside what has been tried: " + range_text(row, row.tested);
+    }
+    return result;
+}
+
+std::string expected(const ParamInfo& row) {
+    if (row.kind == ParamKind::Toggle) return "true or false";
+    if (row.kind == ParamKind::Choice) {
+        std::string list;
+        for (const std::string_view name : row.choices) {
+            list += (list.empty() ? "one of " : ", ") + std::string(name);
+        }
+        return list;
+    }
+    return (row.kind == ParamKind::Integer ? "a whole number from " : "a number from ") +
+           range_text(row, row.hard);
+}
+
+std::string range_text(const ParamInfo& row, ParamRange range) {
+    std::string text = number_text(range.min) + " to " + number_text(range.max);
+    return row.unit.name.empty() ? text : text + ' ' + std::string(row.unit.name);
+}
+
+std::string number_text(double value) {
+    if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+    if (std::isnan(value)) return "nan";
+    return exact_text(rounded(value));
+}
+
+std::string value_text(const ParamInfo& row, const void* object) {
+    const double si = row.get(object);
+    switch (row.kind) {
+        case ParamKind::Toggle:
+            return si != 0 ? "true" : "false";
+        case ParamKind::Choice:
+            return '"' + std::string(row.choices[static_cast<std::size_t>(si)]) + '"';
+        case ParamKind::Integer:
+            return std::to_string(static_cast<std::int64_t>(si));
+        case ParamKind::Real:
+            break;
+    }
+    return std::isfinite(si) ? exact_text(exact_shown(row.unit, si)) : number_text(si);
+}
+
+}  // namespace ember

@@ -1,0 +1,36 @@
+// One value from outside (a preset or the command line) into one parameter.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "sim/param_info.h"
+
+namespace ember {
+
+/// What TOML can hold that a parameter may be set to.
+using PresetValue = std::variant<bool, std::int64_t, double, std::string>;
+
+/// The value in the row's shown unit, or why it is refused ("expected ..., got ...").
+struct ParsedValue {
+    double shown = 0;
+    std::string error;    ///< empty: accepted
+    std::string warning;  ///< accepted, but outside the range that has been tried
+};
+[[nodiscard]] ParsedValue parse_value(const ParamInfo& row, const PresetValue& value);
+
+/// "a number from 5 to 5000 g/m^2", "true or false", "one of flat, cylinder".
+[[nodiscard]] std::string expected(const ParamInfo& row);
+
+/// "5 to 5000 g/m^2".
+[[nodiscard]] std::string range_text(const ParamInfo& row, ParamRange range);
+
+/// The present value of `row` in `object` as it would stand in a preset, in the shown unit: the
+/// shortest text that reads back to the same bits.
+[[nodiscard]] std::string value_text(const ParamInfo& row, const void* object);
+
+/// Shortest decimal text of a number that reads back to the same double, up to 15 digits.
+[[nodiscard]] std::string number_text(double value);
+
+}  // namespace ember

@@ -1,0 +1,87 @@
+#include <sstream>
+
+#include "app/preset_io/parameter_value.h"
+#include "app/preset_io/preset_io.h"
+
+namespace ember {
+namespace {
+
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+    return out + '"';
+}
+
+// A cell of a table: '|' would end it.
+std::string cell(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '|') out += '\\';
+        out += c;
+    }
+    return out;
+}
+
+std::string range_cell(const ParamInfo& row, ParamRange range) {
+    if (row.kind == ParamKind::Toggle) return "";
+    if (row.kind == ParamKind::Choice) return expected(row).substr(7);  // without "one of "
+    return number_text(range.min) + " to " + number_text(range.max);
+}
+
+std::string row_of(const ParamInfo& row, const void* object) {
+    std::ostringstream out;
+    out << "| `" << row.key << "` | " << cell(row.symbol) << " | " << value_text(row, object)
+        << " | " << cell(row.unit.name) << " | " << range_cell(row, row.hard) << " | "
+        << (row.kind == ParamKind::Choice ? "" : range_cell(row, row.tested)) << " | "
+        << (row.applies == ParamApplies::Live ? "live" : "rebuild") << " | " << cell(row.help)
+        << " | " << cell(row.source) << " |\n";
+    return out.str();
+}
+
+}  // namespace
+
+std::string preset_text(std::span<const ParamBinding> bindings, const PresetInfo& info) {
+    std::ostringstream out;
+    out << "schema = 1\n";
+    if (!info.title.empty()) out << "title = " << quoted(info.title) << '\n';
+    if (!info.description.empty()) out << "description = " << quoted(info.description) << '\n';
+    std::string_view group;
+    for (const ParamBinding& binding : bindings) {
+        for (const ParamInfo& row : binding.rows) {
+            if (row.group() != group) {
+                group = row.group();
+                out << "\n[" << group << "]\n";
+            }
+            out << row.name() << " = " << value_text(row, binding.object) << '\n';
+        }
+    }
+    return out.str();
+}
+
+std::string parameters_markdown(std::span<const ParamBinding> bindings) {
+    std::ostringstream out;
+    out << "# Parameters\n\n"
+           "Generated from the parameter tables by `emberleaf params --markdown`; a test keeps it "
+           "fresh.\n\nA bare number in a preset is in the unit shown; a string may carry another "
+           "unit of the same kind, such as `\"0.08 kg/m^2\"`. *Live* parameters act at once, "
+           "*rebuild* ones restart the scene.\n";
+    std::string_view group;
+    for (const ParamBinding& binding : bindings) {
+        for (const ParamInfo& row : binding.rows) {
+            if (row.group() != group) {
+                group = row.group();
+                out << "\n## " << group
+                    << "\n\n| key | in the paper | default | unit | allowed | tried | acts | "
+                       "meaning "
+                       "| source |\n|---|---|---|---|---|---|---|---|---|\n";
+            }
+            out << row_of(row, binding.object);
+        }
+    }
+    return out.str();
+}
+
+}  // namespace ember

@@ -1,0 +1,119 @@
+#include "app/run_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+#include <thread>
+
+#include "app/exit_code.h"
+#include "app/preset_io/nearest_word.h"
+#include "sim/param_table.h"
+
+namespace ember {
+
+void add_run_options(CLI::App& command, RunOptions& options) {
+    options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    command
+        .add_option("PRESET", options.preset,
+                    "a preset file, or the name of a built-in one such as paper/corner")
+        ->required();
+    command.add_option("--set", options.sets, "change a parameter: --set paper.grammage=160")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false)
+        ->take_all();
+    command.add_option("--seed", options.seed, "seed of all random numbers")->type_name("N");
+    command.add_option("--threads", options.threads, "threads; changes the speed, never the result")
+        ->check(CLI::Range(1, 256))
+        ->type_name("N")
+        ->capture_default_str();
+    auto* quiet = command.add_flag("-q,--quiet", options.quiet, "only errors");
+    command.add_flag("-v,--verbose", options.verbose, "warnings too")->excludes(quiet);
+}
+
+std::vector<std::string> built_in_presets() {
+    std::vector<std::string> names;
+    for (const std::filesystem::path& folder : preset_folders()) {
+        std::error_code error;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error)) {
+            if (entry.path().extension() != ".toml") continue;
+            auto name = entry.path().lexically_relative(folder);
+            names.push_back(name.replace_extension().generic_string());
+        }
+        if (!names.empty()) break;
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::filesystem::path resolve_preset(const std::string& name) {
+    const std::filesystem::path path = find_preset(name, "");
+    if (!path.empty()) return path;
+    std::string message = name + ": error: no such preset";
+    const std::vector<std::string> names = built_in_presets();
+    const std::string near =
+        nearest_word(name, std::vector<std::string_view>(names.begin(), names.end()));
+    if (!near.empty()) message += "; did you mean " + near + '?';
+    throw InputError(message + " (emberleaf presets lists the built-in ones)");
+}
+
+std::string diagnostics_text(const std::vector<Diagnostic>& diagnostics) {
+    std::string text;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        if (!text.empty()) text += '\n';
+        text += diagnostic.text();
+        const std::string excerpt = diagnostic.excerpt();
+        if (!excerpt.empty()) text += '\n' + excerpt;
+    }
+    return text;
+}
+
+LoadedPreset load_run(const RunOptions& options, const std::vector<Assignment>& more) {
+    LoadedPreset loaded;
+    const ParamBinding bindings[] = {bind(loaded.params), bind(loaded.render)};
+    PresetResult result = load_preset(resolve_preset(options.preset), bindings);
+    std::vector<Assignment> assignments = more;
+    for (const std::string& text : options.sets) assignments.push_back({"--set", text});
+    if (!options.seed.empty()) {
+        assignments.push_back({"--seed", "numerics.seed=" + options.seed});
+    }
+    for (const Assignment& assignment : assignments) {
+        const auto problems = apply_override(assignment.text, bindings, assignment.origin);
+        result.diagnostics.insert(result.diagnostics.end(), problems.begin(), problems.end());
+    }
+    if (!result.ok()) {
+        std::erase_if(result.diagnostics, [](const Diagnostic& d) {
+            return d.severity == Diagnostic::Severity::Warning;
+        });
+        throw InputError(diagnostics_text(result.diagnostics));
+    }
+    if (options.verbose) {
+        const std::string warnings = diagnostics_text(result.diagnostics);
+        if (!warnings.empty()) std::fprintf(stderr, "%s\n", warnings.c_str());
+        for (const std::string& warning : plausibility_warnings(loaded.params)) {
+            std::fprintf(stderr, "%s: warning: %s\n", options.preset.c_str(), warning.c_str());
+        }
+    }
+    loaded.info = result.info;
+    return loaded;
+}
+
+World build_world(const LoadedPreset& preset, int threads) {
+    try {
+        return make_world(preset.params, threads);
+    } catch (const std::invalid_argument& e) {
+        throw InputError(preset.info.path.string() + ": error: " + e.what());
+    }
+}
+
+std::string divergence_text(const StepReport& report) {
+    std::ostringstream out;
+    out << "simulation stopped at t = " << report.time << " s: stage "
+        << kStageNames[static_cast<std::size_t>(report.stage)];
+    if (report.sheet != kNone) out << ", sheet " << report.sheet;
+    if (report.node != kNone) out << ", node " << report.node;
+    out << ": " << report.reason << " (after " << report.retries << " retries with half the step)";
+    return out.str();
+}
+
+}  // namespace ember

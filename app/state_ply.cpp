@@ -1,0 +1,68 @@
+#include "app/state_ply.h"
+
+#include <bit>
+#include <cstring>
+#include <sstream>
+
+#include "sim/units.h"
+
+namespace ember {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "values are copied as they lie");
+
+template <class T>
+void put(std::string& bytes, T value) {
+    char raw[sizeof(T)];
+    std::memcpy(raw, &value, sizeof raw);
+    bytes.append(raw, sizeof raw);
+}
+
+std::string header(const WorldView& world) {
+    std::size_t nodes = 0, quads = 0;
+    for (const SheetView& sheet : world.sheets) {
+        nodes += sheet.x.size();
+        quads += sheet.quads.size();
+    }
+    std::ostringstream out;
+    out << "ply\nformat binary_little_endian 1.0\ncomment emberleaf, t = " << world.time
+        << " s\nelement vertex " << nodes << '\n';
+    for (const char* name : {"x", "y", "z", "vx", "vy", "vz", "temperature", "mass"}) {
+        out << "property double " << name << '\n';
+    }
+    out << "property uchar phase\nproperty int sheet\nproperty int row\nproperty int column\n"
+        << "element face " << quads << "\nproperty list uchar int vertex_indices\nend_header\n";
+    return out.str();
+}
+
+void put_nodes(std::string& bytes, const SheetView& sheet, std::size_t number) {
+    for (std::size_t n = 0; n < sheet.x.size(); ++n) {
+        for (const double value : {sheet.x[n], sheet.y[n], sheet.z[n], sheet.vx[n], sheet.vy[n],
+                                   sheet.vz[n], unit::celsius.from_si(sheet.temperature[n]),
+                                   sheet.mass[n]}) {
+            put(bytes, value);
+        }
+        put(bytes, static_cast<std::uint8_t>(sheet.phase[n]));
+        put(bytes, static_cast<std::int32_t>(number));
+        put(bytes, static_cast<std::int32_t>(sheet.site[n] / sheet.column_count));
+        put(bytes, static_cast<std::int32_t>(sheet.site[n] % sheet.column_count));
+    }
+}
+
+}  // namespace
+
+std::string state_ply(const WorldView& world) {
+    std::string bytes = header(world);
+    for (std::size_t s = 0; s < world.sheets.size(); ++s) put_nodes(bytes, world.sheets[s], s);
+    Index first = 0;
+    for (const SheetView& sheet : world.sheets) {
+        for (const Quad& quad : sheet.quads) {
+            put(bytes, std::uint8_t{4});
+            for (const Index node : quad) put(bytes, first + node);
+        }
+        first += static_cast<Index>(sheet.x.size());
+    }
+    return bytes;
+}
+
+}  // namespace ember
