@@ -1,54 +1,62 @@
-#include "app/command_check.h"
-
+// emberleaf check: every problem of every preset, where it stands.
+#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <memory>
 
+#include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/preset_io/preset_io.h"
 #include "app/run_options.h"
 #include "sim/param_table.h"
-#include "sim/scene.h"
 #include "sim/sheet_builder.h"
 
 namespace ember {
 namespace {
 
-// Prints every problem of one preset; returns whether it can be used.
-bool check_one(const std::string& file) {
-    Params params;
-    RenderParams render;
-    const ParamBinding bindings[] = {bind(params), bind(render)};
-    std::filesystem::path path = file;
-    if (!std::filesystem::exists(path)) path = locate_preset(file);
-    const PresetResult result = load_preset(path, bindings);
-    for (const Diagnostic& d : result.diagnostics)
-        std::printf("%s\n", d.text().c_str());
-    if (!result.ok()) return false;
+using Severity = Diagnostic::Severity;
+
+// What can be said only of the parameters together.
+void check_together(const std::string& file, const Params& params,
+                    std::vector<Diagnostic>& diagnostics) {
+    for (const std::string& warning : plausibility_warnings(params)) {
+        diagnostics.push_back({Severity::Warning, file, 0, 0, "", warning});
+    }
     try {
         for (const SheetPlan& plan : make_scene(params.sheet).sheets)
             validate(plan);
     } catch (const std::invalid_argument& e) {
-        std::printf("%s: error: %s\n", file.c_str(), e.what());
+        diagnostics.push_back({Severity::Error, file, 0, 0, "", e.what()});
+    }
+}
+
+bool check_file(const std::string& name) {
+    Params params;
+    RenderParams render;
+    const ParamBinding bindings[] = {bind(params), bind(render)};
+    PresetResult result;
+    try {
+        const std::filesystem::path path = resolve_preset(name);
+        result = load_preset(path, bindings);
+        if (result.ok()) check_together(path.string(), params, result.diagnostics);
+    } catch (const InputError& e) {
+        std::fprintf(stderr, "%s\n", e.what());
         return false;
     }
-    for (const std::string& warning : plausibility_warnings(params)) {
-        std::printf("%s: warning: %s\n", file.c_str(), warning.c_str());
-    }
-    std::printf("%s: ok\n", file.c_str());
-    return true;
+    const std::string text = diagnostics_text(result.diagnostics);
+    if (!text.empty()) std::fprintf(stderr, "%s\n", text.c_str());
+    if (result.ok()) std::printf("%s: ok\n", name.c_str());
+    return result.ok();
 }
 
 }  // namespace
 
-void declare_check(CLI::App& program, Command& command) {
-    CLI::App* sub = program.add_subcommand("check", "Validate presets; prints all problems");
+void add_check_command(CLI::App& app, Task& task) {
+    CLI::App* command = app.add_subcommand("check", "say everything that is wrong with presets");
     const auto files = std::make_shared<std::vector<std::string>>();
-    sub->add_option("FILE", *files, "Presets")->required();
-    sub->callback([&command, files] {
-        command = [files] {
+    command->add_option("FILE", *files, "preset files or names of built-in presets")->required();
+    command->callback([files, &task] {
+        task = [files] {
             bool good = true;
             for (const std::string& file : *files)
-                good = check_one(file) && good;
+                good = check_file(file) && good;
             return good ? kOk : kBadInput;
         };
     });

@@ -1,13 +1,11 @@
-#include "app/command_list.h"
-
-#include <algorithm>
+// emberleaf presets and emberleaf params: what there is.
+#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <memory>
 
+#include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/preset_io/parameter_value.h"
-#include "app/preset_io/preset_io.h"
-#include "render/view_params.h"
+#include "app/run_options.h"
 #include "sim/param_table.h"
 
 namespace ember {
@@ -18,13 +16,14 @@ int list_presets() {
         Params params;
         RenderParams render;
         const ParamBinding bindings[] = {bind(params), bind(render)};
-        const PresetResult result = load_preset(find_preset(name, "."), bindings);
-        std::printf("%-24s %s\n", name.c_str(), result.info.title.c_str());
+        const PresetResult result = load_preset(resolve_preset(name), bindings);
+        std::printf("%-24s %s\n", name.c_str(),
+                    result.ok() ? result.info.title.c_str() : "(broken: see emberleaf check)");
     }
     return kOk;
 }
 
-int list_params(bool markdown) {
+int list_parameters(bool markdown) {
     Params params;
     RenderParams render;
     const ParamBinding bindings[] = {bind(params), bind(render)};
@@ -34,8 +33,10 @@ int list_params(bool markdown) {
     }
     for (const ParamBinding& binding : bindings) {
         for (const ParamInfo& row : binding.rows) {
-            std::printf("%-28s %-12s %-14s %s\n", std::string(row.key).c_str(),
-                        value_text(row, binding.object).c_str(), std::string(row.unit.name).c_str(),
+            const std::string value =
+                value_text(row, binding.object) + ' ' + std::string(row.unit.name);
+            std::printf("%-28s %-16s %s\n%-28s %-16s %s\n", std::string(row.key).c_str(),
+                        value.c_str(), expected(row).c_str(), "", "",
                         std::string(row.help).c_str());
         }
     }
@@ -44,33 +45,18 @@ int list_params(bool markdown) {
 
 }  // namespace
 
-std::vector<std::string> built_in_presets() {
-    std::vector<std::string> names;
-    for (const std::filesystem::path& folder : preset_folders()) {
-        std::error_code error;
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error)) {
-            if (entry.path().extension() != ".toml") continue;
-            names.push_back(
-                entry.path().lexically_relative(folder).replace_extension().generic_string());
-        }
-    }
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
-    return names;
-}
-
-void declare_presets(CLI::App& program, Command& command) {
-    program.add_subcommand("presets", "List the built-in presets")->callback([&command] {
-        command = list_presets;
+void add_presets_command(CLI::App& app, Task& task) {
+    app.add_subcommand("presets", "list the built-in presets")->callback([&task] {
+        task = list_presets;
     });
 }
 
-void declare_params(CLI::App& program, Command& command) {
-    CLI::App* sub = program.add_subcommand("params", "List every parameter with its default");
+void add_params_command(CLI::App& app, Task& task) {
+    CLI::App* command = app.add_subcommand("params", "list the parameters");
     const auto markdown = std::make_shared<bool>(false);
-    sub->add_flag("--markdown", *markdown, "As docs/PARAMETERS.md");
-    sub->callback(
-        [&command, markdown] { command = [markdown] { return list_params(*markdown); }; });
+    command->add_flag("--markdown", *markdown, "as docs/PARAMETERS.md");
+    command->callback(
+        [markdown, &task] { task = [markdown] { return list_parameters(*markdown); }; });
 }
 
 }  // namespace ember

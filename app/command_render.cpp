@@ -1,221 +1,229 @@
-#include "app/command_render.h"
-
+// emberleaf render: pictures and films without a window.
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <memory>
-#include <optional>
 
 #include "app/atomic_file.h"
-#include "app/diverged.h"
+#include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/file_pattern.h"
 #include "app/frame_list.h"
 #include "app/frame_source.h"
 #include "app/interrupt.h"
+#include "app/picture_sink.h"
+#include "app/preset_io/parameter_value.h"
 #include "app/progress.h"
 #include "app/run_options.h"
 #include "app/stats_json.h"
 #include "app/version.h"
-#include "app/video_encoder.h"
 #include "render/offscreen_context.h"
+#include "render/renderer.h"
+#include "sim/param_table.h"
+#include "sim/units.h"
 
 namespace ember {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
-
 struct RenderOptions {
     RunOptions run;
-    std::string output, frames, at, size = "960x540", camera, view, stats, gl = "auto";
-    std::optional<double> fps, turntable;
+    std::vector<std::string> outputs;
+    std::string frames, at, fps, size = "960x540", camera, view, stats;
+    double turntable = 0;  // [deg] over the whole shot
     bool no_flames = false;
     int msaa = 4;
+    GlBackend gl = GlBackend::Auto;
 };
 
-// One picture of the shot.
-struct Shot {
+struct PlannedPicture {
     long number;
     double time;  // [s]
 };
 
-std::vector<Shot> list_shots(const RenderOptions& options, const ShotParams& shot) {
-    std::vector<Shot> shots;
+// The flags that are short for parameters.
+std::vector<Assignment> assignments(const RenderOptions& options) {
+    std::vector<Assignment> list;
+    if (!options.fps.empty()) list.push_back({"--fps", "shot.fps=" + options.fps});
+    if (!options.view.empty()) list.push_back({"--view", "view.mode=" + options.view});
+    if (options.no_flames) list.push_back({"--no-flames", "view.flames=false"});
+    if (options.camera.empty()) return list;
+    const std::vector<std::string> parts = CLI::detail::split(options.camera, ',');
+    if (parts.size() != 3) {
+        throw InputError(
+            "--camera: error: expected AZIMUTH,ELEVATION,DISTANCE in degrees, "
+            "degrees and metres, got \"" +
+            options.camera + '"');
+    }
+    list.push_back({"--camera", "camera.azimuth=" + parts[0]});
+    list.push_back({"--camera", "camera.elevation=" + parts[1]});
+    list.push_back({"--camera", "camera.distance=" + parts[2]});
+    return list;
+}
+
+std::vector<PlannedPicture> plan(const RenderOptions& options, const ShotParams& shot) {
+    std::vector<PlannedPicture> pictures;
     if (!options.at.empty()) {
         for (const double time : parse_times(options.at)) {
-            shots.push_back({static_cast<long>(shots.size()), time});
+            pictures.push_back({static_cast<long>(pictures.size()), time});
         }
-        return shots;
+        return pictures;
     }
-    const auto last = static_cast<long>(std::floor(shot.duration * shot.fps + 1e-9));
-    const std::vector<long> frames =
-        parse_frames(options.frames.empty() ? "0.." + std::to_string(last) : options.frames);
-    for (const long frame : frames) {
-        shots.push_back({frame, static_cast<double>(frame) / shot.fps});
+    if (!options.frames.empty()) {
+        for (const long frame : parse_frames(options.frames)) {
+            pictures.push_back({frame, static_cast<double>(frame) / shot.fps});
+        }
+        return pictures;
     }
-    return shots;
+    const long count = std::max(1l, std::lround(shot.duration * shot.fps));
+    for (long frame = 0; frame < count; ++frame) {
+        pictures.push_back({frame, static_cast<double>(frame) / shot.fps});
+    }
+    return pictures;
 }
 
-// Puts what the command line says about the view into the parameters.
-void apply_view(const RenderOptions& options, RenderParams& render) {
-    const ParamBinding bindings[] = {bind(render)};
-    std::string problems;
-    const auto set = [&](const std::string& assignment) {
-        for (const Diagnostic& d : apply_override(assignment, bindings)) {
-            problems += (problems.empty() ? "" : "\n") + d.text();
-        }
-    };
-    if (!options.view.empty()) set("view.mode=" + options.view);
-    if (options.fps) set("shot.fps=" + std::to_string(*options.fps));
-    if (options.no_flames) render.view.flames = false;
-    if (!options.camera.empty()) {
-        double azimuth = 0, elevation = 0, distance = 0;
-        char rest = 0;
-        if (std::sscanf(options.camera.c_str(), "%lf,%lf,%lf%c", &azimuth, &elevation, &distance,
-                        &rest) != 3) {
-            throw InputError(
-                "--camera: expected AZIMUTH,ELEVATION,DISTANCE in degrees and metres, "
-                "got \"" +
-                options.camera + '"');
-        }
-        set("camera.azimuth=" + std::to_string(azimuth));
-        set("camera.elevation=" + std::to_string(elevation));
-        set("camera.distance=" + std::to_string(distance));
-    }
-    if (!problems.empty()) throw InputError(problems);
+ImageText metadata(const LoadedPreset& preset, const Renderer& renderer) {
+    LoadedPreset copy = preset;
+    const ParamBinding bindings[] = {bind(copy.params), bind(copy.render)};
+    return {{"Software", "emberleaf"},
+            {"Version", kVersion},
+            {"Preset", preset_text(bindings, preset.info)},
+            {"Seed", std::to_string(preset.params.numerics.seed)},
+            {"Renderer", renderer.description()}};
 }
 
-// Where pictures go: numbered PNGs or a film.
-class Output {
+// A shot while it is being drawn.
+class Shot {
   public:
-    Output(const std::string& path, PictureSize size, double fps, bool single) : path_(path) {
-        const std::string extension = std::filesystem::path(path).extension().string();
-        if (extension == ".mp4") {
-            film_ = std::make_unique<VideoEncoder>(path, size.width, size.height, fps);
-        } else if (extension == ".png") {
-            const bool place =
-                path.find('#') != std::string::npos || path.find('%') != std::string::npos;
-            if (place || !single) pattern_ = std::make_unique<FilePattern>(path);
-            make_folder_of(path);
+    Shot(const RenderOptions& options, const LoadedPreset& preset, World& world)
+        : options_(options),
+          preset_(preset),
+          world_(world),
+          size_(parse_size(options.size)),
+          context_(OffscreenContext::create(options.gl)),
+          renderer_(context_->loader(), options.msaa),
+          source_(
+              world, options.stats.empty() ? nullptr : stats_.observer(),
+              [this](const StepReport& report) { note(report); },
+              preset.render.view.mode == ViewMode::Lattice) {
+        const PictureFormat format{size_.width, size_.height, preset.render.shot.fps,
+                                   metadata(preset, renderer_)};
+        for (const std::string& output : options.outputs) {
+            sinks_.push_back(open_sink(output, format));
         }
     }
-    static void check(const std::string& path) {
-        const std::string extension = std::filesystem::path(path).extension().string();
-        if (extension != ".png" && extension != ".mp4") {
-            throw InputError("-o: expected a name ending in .png or .mp4, got \"" + path + '"');
+
+    // Returns the exit code; what has been drawn until then is complete in any case.
+    int draw(const std::vector<PlannedPicture>& pictures) {
+        Progress progress("pictures", static_cast<long>(pictures.size()), options_.run.quiet);
+        bool good = true;
+        for (std::size_t i = 0; good && i < pictures.size() && interrupt_signal() == 0; ++i) {
+            good = draw(pictures[i]);
+            if (good) progress.update(static_cast<long>(i) + 1);
         }
-        if (extension == ".png") (void)FilePattern(path);
-    }
-    void add(const Shot& shot, const Image& image, const ImageText& text) {
-        if (film_) {
-            film_->add(image);
-        } else {
-            write_png(pattern_ ? pattern_->name(shot.number) : path_, image, text);
+        progress.finish();
+        const bool whole = options_.frames.empty() && options_.at.empty();
+        if (good && whole && interrupt_signal() == 0) {
+            good = source_.advance_to(preset_.render.shot.duration);
         }
-    }
-    void finish() {
-        if (film_) film_->finish();
+        finish();
+        if (!good) throw RunError(divergence_text(last_report_));
+        return interrupt_signal() == 0 ? kOk : 128 + interrupt_signal();
     }
 
   private:
-    std::string path_;
-    std::unique_ptr<VideoEncoder> film_;
-    std::unique_ptr<FilePattern> pattern_;
+    bool draw(const PlannedPicture& picture) {
+        FrameView frame;
+        if (!source_.show(picture.time, frame)) return false;
+        RenderParams look = preset_.render;
+        const double turn = unit::degree.to_si(options_.turntable);
+        look.camera.azimuth += turn * picture.time / std::max(look.shot.duration, 1e-9);
+        const Picture drawn{
+            renderer_.draw_image({&frame.view, frame.springs}, look, size_.width, size_.height),
+            picture.number, picture.time};
+        for (const auto& sink : sinks_)
+            sink->put(drawn);
+        return true;
+    }
+
+    void finish() {
+        for (const auto& sink : sinks_) {
+            sink->finish();
+            if (!options_.run.quiet) std::fprintf(stderr, "%s\n", sink->where().c_str());
+        }
+        if (!options_.stats.empty()) write_file(options_.stats, stats_.json(world_, preset_));
+    }
+
+    void note(const StepReport& report) {
+        last_report_ = report;
+        if (!options_.stats.empty() && report.ok()) stats_.record(world_, report);
+    }
+
+    const RenderOptions& options_;
+    const LoadedPreset& preset_;
+    World& world_;
+    PictureSize size_;
+    std::unique_ptr<OffscreenContext> context_;  // outlives the renderer
+    Renderer renderer_;
+    StatsRecorder stats_;
+    FrameSource source_;
+    StepReport last_report_;
+    std::vector<std::unique_ptr<PictureSink>> sinks_;
 };
 
-ImageText picture_text(LoadedPreset& preset, const std::string& renderer, const Shot& shot) {
-    char time[32];
-    std::snprintf(time, sizeof time, "%.6f", shot.time);
-    return {{"Software", "emberleaf"},
-            {"Version", kVersion},
-            {"Preset", preset.text()},
-            {"Seed", std::to_string(preset.params.numerics.seed)},
-            {"Frame", std::to_string(shot.number)},
-            {"Time", time},
-            {"Renderer", renderer}};
+int run_render(const RenderOptions& options) {
+    const LoadedPreset preset = load_run(options.run, assignments(options));
+    const std::vector<PlannedPicture> pictures = plan(options, preset.render.shot);
+    static_cast<void>(parse_size(options.size));
+    for (const std::string& output : options.outputs)
+        static_cast<void>(output_kind(output));
+    World world = build_world(preset, options.run.threads);
+    watch_for_interrupts();
+    return Shot(options, preset, world).draw(pictures);
 }
 
-GlBackend backend(const std::string& name) {
-    return name == "osmesa" ? GlBackend::OsMesa : name == "egl" ? GlBackend::Egl : GlBackend::Auto;
-}
-
-int render(const RenderOptions& options) {
-    LoadedPreset preset = load(options.run);
-    apply_view(options, preset.render);
-    const PictureSize size = parse_size(options.size);
-    const std::vector<Shot> shots = list_shots(options, preset.render.shot);
-    Output::check(options.output);
-    World world = make_world(preset.params, options.run.thread_count());
-
-    const auto context = OffscreenContext::create(backend(options.gl));
-    Renderer renderer(context->loader(), options.msaa);
-    if (options.run.verbose) {
-        std::fprintf(stderr, "%s: %s\n", std::string(context->name()).c_str(),
-                     renderer.description().c_str());
-    }
-    StageClock clock;
-    RunStats stats(options.run.preset, world);
-    StepReport last;
-    FrameSource source(world, &clock, [&](const StepReport& report) {
-        last = report;
-        if (report.ok()) stats.record(world, report, clock);
-    });
-    Output output(options.output, size, preset.render.shot.fps, shots.size() == 1);
-    Progress progress("frames", static_cast<long>(shots.size()), options.run.quiet);
-    const double azimuth = preset.render.camera.azimuth;
-    FrameView frame;
-    long done = 0;
-    for (const Shot& shot : shots) {
-        if (!source.show(shot.time, frame)) {
-            progress.finish();
-            throw RunError(diverged_text(last));
-        }
-        if (options.turntable) {
-            preset.render.camera.azimuth = azimuth + *options.turntable * kDegree *
-                                                         static_cast<double>(done) /
-                                                         static_cast<double>(shots.size());
-        }
-        const Image image = renderer.draw_image({&frame.view, frame.springs}, preset.render,
-                                                size.width, size.height);
-        output.add(shot, image, picture_text(preset, renderer.description(), shot));
-        progress.update(++done);
-        if (interrupt_signal() != 0) break;
-    }
-    progress.finish();
-    output.finish();
-    if (!options.stats.empty()) write_file(options.stats, stats.text(world));
-    if (!options.run.quiet) {
-        std::fprintf(stderr, "%ld frames at %s, state hash: %s\n", done, options.output.c_str(),
-                     hash_text(world.hash()).c_str());
-    }
-    return interrupt_signal() != 0 ? 128 + interrupt_signal() : kOk;
+void add_picture_options(CLI::App& command, RenderOptions& options) {
+    command.add_option("--size", options.size, "size of the pictures")
+        ->type_name("WIDTHxHEIGHT")
+        ->capture_default_str();
+    command.add_option("--camera", options.camera, "where to look from [deg, deg, m]")
+        ->type_name("AZIMUTH,ELEVATION,DISTANCE");
+    command.add_option("--turntable", options.turntable, "turn the camera by so much in the shot")
+        ->type_name("DEG");
+    command.add_option("--view", options.view, "beauty, lattice, temperature, mass or state")
+        ->type_name("MODE");
+    command.add_flag("--no-flames", options.no_flames, "draw the sheet only");
+    command.add_option("--msaa", options.msaa, "samples per pixel")
+        ->check(CLI::IsMember({1, 2, 4, 8}))
+        ->capture_default_str();
+    command.add_option("--gl", options.gl, "how to draw without a window: auto, osmesa or egl")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, GlBackend>{
+            {"auto", GlBackend::Auto}, {"osmesa", GlBackend::OsMesa}, {"egl", GlBackend::Egl}}))
+        ->type_name("NAME");
 }
 
 }  // namespace
 
-void declare_render(CLI::App& program, Command& command) {
-    CLI::App* sub = program.add_subcommand("render", "Render pictures or a film without a window");
+void add_render_command(CLI::App& app, Task& task) {
+    CLI::App* command = app.add_subcommand("render", "draw pictures or a film, without a window");
     const auto options = std::make_shared<RenderOptions>();
-    RenderOptions& o = *options;
-    o.run.declare(*sub);
-    sub->add_option("-o,--output", o.output, "frame_####.png, or shot.mp4 (needs ffmpeg)")
-        ->required();
-    CLI::Option* frames =
-        sub->add_option("--frames", o.frames, "0..240, 0..240+5 or 1,40,80; default: the shot");
-    sub->add_option("--at", o.at, "Times instead of frames [s]: 0.5,1,2")->excludes(frames);
-    sub->add_option("--fps", o.fps, "Frames per simulated second")->check(CLI::Range(0.1, 1000.0));
-    sub->add_option("--size", o.size, "Picture size")->capture_default_str();
-    sub->add_option("--camera", o.camera, "AZIMUTH,ELEVATION,DISTANCE in degrees and metres");
-    sub->add_option("--turntable", o.turntable, "Turn the camera by this many degrees in all");
-    sub->add_option("--view", o.view, "beauty, lattice, temperature, mass or state");
-    sub->add_flag("--no-flames", o.no_flames, "Leave out the fire");
-    sub->add_option("--msaa", o.msaa, "Samples per pixel")
-        ->check(CLI::IsMember(std::vector<int>{1, 2, 4}))
-        ->capture_default_str();
-    sub->add_option("--gl", o.gl, "Where OpenGL comes from")
-        ->check(CLI::IsMember({"auto", "osmesa", "egl"}))
-        ->capture_default_str();
-    sub->add_option("--stats", o.stats, "Write statistics of every tick as JSON");
-    sub->callback([&command, options] { command = [options] { return render(*options); }; });
+    add_run_options(*command, options->run);
+    command
+        ->add_option("-o,--output", options->outputs,
+                     "frame_####.png or shot.mp4; may be given several times")
+        ->required()
+        ->allow_extra_args(false)
+        ->take_all()
+        ->type_name("FILE");
+    auto* frames = command
+                       ->add_option("--frames", options->frames,
+                                    "0..240, 0..240+5 or 1,40,80..90; default: the whole shot")
+                       ->type_name("LIST");
+    command->add_option("--at", options->at, "times instead of frames: 0.5,1,2")
+        ->excludes(frames)
+        ->type_name("SECONDS");
+    command->add_option("--fps", options->fps, "frame f is at f/fps seconds")->type_name("N");
+    add_picture_options(*command, *options);
+    command->add_option("--stats", options->stats, "write statistics of every tick as JSON")
+        ->type_name("FILE");
+    command->callback([options, &task] { task = [options] { return run_render(*options); }; });
 }
 
 }  // namespace ember

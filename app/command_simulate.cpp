@@ -1,14 +1,14 @@
-#include "app/command_simulate.h"
-
+// emberleaf simulate: the simulation alone.
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 
 #include "app/atomic_file.h"
-#include "app/diverged.h"
+#include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/file_pattern.h"
 #include "app/frame_list.h"
+#include "app/frame_source.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/run_options.h"
@@ -20,78 +20,134 @@ namespace {
 
 struct SimulateOptions {
     RunOptions run;
-    double seconds = -1;
+    double seconds = 0;  // [s]
     std::string stats, state, at;
 };
 
-// Writes the states that are due at the world's present time.
-class StateWriter {
-  public:
-    StateWriter(const SimulateOptions& options, double end) : pattern_(options.state) {
-        if (!options.at.empty()) times_ = parse_times(options.at);
-        if (options.at.empty() && !options.state.empty()) times_ = {end};
-        numbered_ = times_.size() > 1 || options.state.find('#') != std::string::npos ||
-                    options.state.find('%') != std::string::npos;
-        name_ = options.state;
+// The times of the states to write; the end unless others are asked for.
+std::vector<double> state_times(const SimulateOptions& options, double end) {
+    if (options.state.empty()) {
+        if (!options.at.empty()) throw InputError("--at: error: needs --state");
+        return {};
     }
-    void write_due(const World& world) {
-        while (next_ < times_.size() &&
-               times_[next_] <= world.state().time + 0.5 * world.tick_duration()) {
-            const std::string name = numbered_ ? pattern_.name(static_cast<long>(next_)) : name_;
-            write_file(name, state_ply(world.view()));
-            ++next_;
+    if (options.at.empty()) return {end};
+    std::vector<double> times = parse_times(options.at);
+    if (times.back() > end) throw InputError("--at: error: a time lies after --seconds");
+    return times;
+}
+
+void print_summary(const World& world, const StatsRecorder& stats) {
+    const PhaseCounts nodes = count_phases(world.state());
+    const auto ms = stats.mean_ms();
+    double total = 0;
+    for (const double stage : ms)
+        total += stage;
+    std::printf("simulated: %g s in %llu ticks, %.3f ms per tick\n", world.state().time,
+                static_cast<unsigned long long>(world.state().tick), total);
+    std::printf("ms per stage:");
+    for (std::size_t s = 0; s < kStageCount; ++s) {
+        std::printf(" %s %.3f", std::string(kStageNames[s]).c_str(), ms[s]);
+    }
+    std::printf("\nnodes: %lld unburnt, %lld burning, %lld burnt out\n",
+                static_cast<long long>(nodes.unburnt), static_cast<long long>(nodes.burning),
+                static_cast<long long>(nodes.burnt_out));
+    std::printf("burnt out: 10 %% at %.2f s, 50 %% at %.2f s, 90 %% at %.2f s\n",
+                stats.burnt_out_time(0.1), stats.burnt_out_time(0.5), stats.burnt_out_time(0.9));
+    std::printf("cuts: %lld, ticks retried: %lld\n",
+                static_cast<long long>(world.state().totals.cuts),
+                static_cast<long long>(world.state().totals.retries));
+    std::printf("state hash: %s\n", hash_text(world.hash()).c_str());
+}
+
+// A run while it goes on.
+class Run {
+  public:
+    Run(const SimulateOptions& options, const LoadedPreset& preset, World& world)
+        : options_(options),
+          preset_(preset),
+          world_(world),
+          ticks_(static_cast<long>(
+              std::ceil(options.seconds * preset.params.numerics.tick_rate - 1e-6))),
+          progress_("ticks", ticks_, options.run.quiet),
+          source_(world, stats_.observer(), [this](const StepReport& r) { note(r); }) {}
+
+    int go(const std::vector<double>& times) {
+        bool good = true;
+        for (std::size_t i = 0; good && i < times.size() && interrupt_signal() == 0; ++i) {
+            good = advance_to(times[i]) && write_state(i, times);
         }
+        good = good && advance_to(static_cast<double>(ticks_) * world_.tick_duration());
+        progress_.finish();
+        if (!options_.stats.empty()) write_file(options_.stats, stats_.json(world_, preset_));
+        if (!good) throw RunError(divergence_text(last_report_));
+        print_summary(world_, stats_);
+        return interrupt_signal() == 0 ? kOk : 128 + interrupt_signal();
     }
 
   private:
-    FilePattern pattern_;
-    std::string name_;
-    std::vector<double> times_;
-    std::size_t next_ = 0;
-    bool numbered_ = false;
+    // tick by tick, so that an interrupt acts at once
+    bool advance_to(double time) {
+        bool good = true;
+        while (good && interrupt_signal() == 0 &&
+               world_.state().time + world_.tick_duration() < time + 1e-9) {
+            good = source_.advance_to(world_.state().time + world_.tick_duration());
+        }
+        return good;
+    }
+
+    bool write_state(std::size_t number, const std::vector<double>& times) {
+        if (interrupt_signal() != 0) return true;
+        FrameView frame;
+        if (!source_.show(times[number], frame)) return false;
+        const std::string name = times.size() == 1 && options_.state.find('#') == std::string::npos
+                                     ? options_.state
+                                     : FilePattern(options_.state).name(static_cast<long>(number));
+        write_file(name, state_ply(frame.view));
+        return true;
+    }
+
+    void note(const StepReport& report) {
+        last_report_ = report;
+        if (report.ok()) stats_.record(world_, report);
+        progress_.update(static_cast<long>(world_.state().tick));
+    }
+
+    const SimulateOptions& options_;
+    const LoadedPreset& preset_;
+    World& world_;
+    long ticks_;
+    Progress progress_;
+    StatsRecorder stats_;
+    FrameSource source_;
+    StepReport last_report_;
 };
 
-int simulate(const SimulateOptions& options) {
-    LoadedPreset preset = load(options.run);
-    if (!options.at.empty() && options.state.empty()) {
-        throw InputError("--at: says when states are written; --state FILE.ply must say where");
-    }
-    const double seconds = options.seconds >= 0 ? options.seconds : preset.render.shot.duration;
-    StateWriter states(options, seconds);
-    World world = make_world(preset.params, options.run.thread_count());
-    StageClock clock;
-    RunStats stats(options.run.preset, world);
-    const auto ticks = static_cast<long>(std::lround(seconds / world.tick_duration()));
-    Progress progress("ticks", ticks, options.run.quiet);
-    states.write_due(world);
-    for (long tick = 1; tick <= ticks && interrupt_signal() == 0; ++tick) {
-        const StepReport report = world.step(&clock);
-        if (!report.ok()) {
-            progress.finish();
-            throw RunError(diverged_text(report));
-        }
-        stats.record(world, report, clock);
-        states.write_due(world);
-        progress.update(tick);
-    }
-    progress.finish();
-    if (!options.stats.empty()) write_file(options.stats, stats.text(world));
-    if (!options.run.quiet) std::fputs(stats.summary(world).c_str(), stdout);
-    return interrupt_signal() != 0 ? 128 + interrupt_signal() : kOk;
+int run_simulate(const SimulateOptions& options) {
+    const LoadedPreset preset = load_run(options.run);
+    const std::vector<double> times = state_times(options, options.seconds);
+    if (!options.state.empty()) static_cast<void>(FilePattern(options.state));
+    World world = build_world(preset, options.run.threads);
+    watch_for_interrupts();
+    return Run(options, preset, world).go(times);
 }
 
 }  // namespace
 
-void declare_simulate(CLI::App& program, Command& command) {
-    CLI::App* sub = program.add_subcommand("simulate", "Simulate without rendering");
+void add_simulate_command(CLI::App& app, Task& task) {
+    CLI::App* command = app.add_subcommand("simulate", "simulate without drawing");
     const auto options = std::make_shared<SimulateOptions>();
-    options->run.declare(*sub);
-    sub->add_option("--seconds", options->seconds, "Simulated time; default: the preset's shot")
-        ->check(CLI::Range(0.0, 86400.0));
-    sub->add_option("--stats", options->stats, "Write statistics of every tick as JSON");
-    sub->add_option("--state", options->state, "Write the state as PLY, at the end or at --at");
-    sub->add_option("--at", options->at, "Times of states [s]: 0.5,1,2");
-    sub->callback([&command, options] { command = [options] { return simulate(*options); }; });
+    add_run_options(*command, options->run);
+    command->add_option("--seconds", options->seconds, "how long; rounded up to whole ticks")
+        ->required()
+        ->check(CLI::Range(0.0, 86400.0))
+        ->type_name("S");
+    command->add_option("--stats", options->stats, "write statistics of every tick as JSON")
+        ->type_name("FILE");
+    command->add_option("--state", options->state, "write the state as PLY: end.ply, out_####.ply")
+        ->type_name("FILE");
+    command->add_option("--at", options->at, "times of the states; default: the end")
+        ->type_name("SECONDS");
+    command->callback([options, &task] { task = [options] { return run_simulate(*options); }; });
 }
 
 }  // namespace ember

@@ -1,5 +1,7 @@
 #include "app/frame_source.h"
 
+#include <cmath>
+
 namespace ember {
 namespace {
 
@@ -46,7 +48,8 @@ FrameSource::FrameSource(World& world, StageObserver* observer,
 
 std::vector<std::vector<SpringSegment>> FrameSource::springs() const {
     std::vector<std::vector<SpringSegment>> all(world_.state().sheets.size());
-    for (std::size_t s = 0; with_springs_ && s < all.size(); ++s) all[s] = world_.springs(s);
+    for (std::size_t s = 0; with_springs_ && s < all.size(); ++s)
+        all[s] = world_.springs(s);
     return all;
 }
 

@@ -36,13 +36,14 @@ class FrameSource {
   private:
     [[nodiscard]] bool step(bool keep_earlier);
     [[nodiscard]] std::vector<std::vector<SpringSegment>> springs() const;
-    void keep_earlier();
     void interpolate(double share, FrameView& frame) const;
 
     World& world_;
     StageObserver* observer_;
     std::function<void(const StepReport&)> after_step_;
-    WorldState earlier_;  ///< the tick before the world's
+    bool with_springs_;
+    bool has_earlier_ = false;
+    WorldState earlier_;  ///< the tick before the world's, if has_earlier_
     WorldView earlier_view_;
     std::vector<std::vector<SpringSegment>> earlier_springs_;
 };

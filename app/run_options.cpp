@@ -23,7 +23,8 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->allow_extra_args(false)
         ->take_all();
     command.add_option("--seed", options.seed, "seed of all random numbers")->type_name("N");
-    command.add_option("--threads", options.threads, "threads; changes the speed, never the result")
+    command
+        .add_option("--threads", options.threads, "threads; changes the speed, never the result")
         ->check(CLI::Range(1, 256))
         ->type_name("N")
         ->capture_default_str();
@@ -73,7 +74,8 @@ LoadedPreset load_run(const RunOptions& options, const std::vector<Assignment>& 
     const ParamBinding bindings[] = {bind(loaded.params), bind(loaded.render)};
     PresetResult result = load_preset(resolve_preset(options.preset), bindings);
     std::vector<Assignment> assignments = more;
-    for (const std::string& text : options.sets) assignments.push_back({"--set", text});
+    for (const std::string& text : options.sets)
+        assignments.push_back({"--set", text});
     if (!options.seed.empty()) {
         assignments.push_back({"--seed", "numerics.seed=" + options.seed});
     }

@@ -37,9 +37,9 @@ std::string header(const WorldView& world) {
 
 void put_nodes(std::string& bytes, const SheetView& sheet, std::size_t number) {
     for (std::size_t n = 0; n < sheet.x.size(); ++n) {
-        for (const double value : {sheet.x[n], sheet.y[n], sheet.z[n], sheet.vx[n], sheet.vy[n],
-                                   sheet.vz[n], unit::celsius.from_si(sheet.temperature[n]),
-                                   sheet.mass[n]}) {
+        for (const double value :
+             {sheet.x[n], sheet.y[n], sheet.z[n], sheet.vx[n], sheet.vy[n], sheet.vz[n],
+              unit::celsius.from_si(sheet.temperature[n]), sheet.mass[n]}) {
             put(bytes, value);
         }
         put(bytes, static_cast<std::uint8_t>(sheet.phase[n]));
@@ -53,12 +53,14 @@ void put_nodes(std::string& bytes, const SheetView& sheet, std::size_t number) {
 
 std::string state_ply(const WorldView& world) {
     std::string bytes = header(world);
-    for (std::size_t s = 0; s < world.sheets.size(); ++s) put_nodes(bytes, world.sheets[s], s);
+    for (std::size_t s = 0; s < world.sheets.size(); ++s)
+        put_nodes(bytes, world.sheets[s], s);
     Index first = 0;
     for (const SheetView& sheet : world.sheets) {
         for (const Quad& quad : sheet.quads) {
             put(bytes, std::uint8_t{4});
-            for (const Index node : quad) put(bytes, first + node);
+            for (const Index node : quad)
+                put(bytes, first + node);
         }
         first += static_cast<Index>(sheet.x.size());
     }

@@ -19,7 +19,8 @@ constexpr int kStatsSchema = 1;
 
 Json stages(const std::array<double, kStageCount>& ms) {
     Json out;
-    for (std::size_t s = 0; s < kStageCount; ++s) out[std::string(kStageNames[s])] = ms[s];
+    for (std::size_t s = 0; s < kStageCount; ++s)
+        out[std::string(kStageNames[s])] = ms[s];
     return out;
 }
 
@@ -41,9 +42,8 @@ Json work(const StepCounters& c) {
 }
 
 Json nodes(const PhaseCounts& counts) {
-    return {{"unburnt", counts.unburnt},
-            {"burning", counts.burning},
-            {"burnt_out", counts.burnt_out}};
+    return {
+        {"unburnt", counts.unburnt}, {"burning", counts.burning}, {"burnt_out", counts.burnt_out}};
 }
 
 Json frame(const TickStats& t) {
@@ -88,7 +88,8 @@ Json heat_ledger(const HeatLedger& h) {
 
 std::size_t quad_count(const WorldState& state) {
     std::size_t count = 0;
-    for (const SheetState& sheet : state.sheets) count += sheet.quads.size();
+    for (const SheetState& sheet : state.sheets)
+        count += sheet.quads.size();
     return count;
 }
 
@@ -152,7 +153,8 @@ std::array<double, kStageCount> StatsRecorder::mean_ms() const {
 
 double StatsRecorder::burnt_out_time(double share) const {
     for (const TickStats& t : ticks_) {
-        if (static_cast<double>(t.nodes.burnt_out) >= share * static_cast<double>(t.nodes.total())) {
+        if (static_cast<double>(t.nodes.burnt_out) >=
+            share * static_cast<double>(t.nodes.total())) {
             return t.time;
         }
     }
@@ -173,7 +175,8 @@ std::string StatsRecorder::json(const World& world, const LoadedPreset& preset) 
                      {"seed", preset.params.numerics.seed},
                      {"tick_duration", world.tick_duration()},
                      {"frames", Json::array()}};
-    for (const TickStats& t : ticks_) document["frames"].push_back(frame(t));
+    for (const TickStats& t : ticks_)
+        document["frames"].push_back(frame(t));
     document["totals"] = {{"ticks", state.tick},
                           {"t", state.time},
                           {"nodes", nodes(count_phases(state))},

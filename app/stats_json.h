@@ -21,10 +21,10 @@ struct PhaseCounts {
 /// One tick, in the units of the file.
 struct TickStats {
     std::uint64_t tick = 0;
-    double time = 0;                          // [s]
+    double time = 0;  // [s]
     PhaseCounts nodes;
-    double mass = 0;                          // [kg]
-    double coldest = 0, hottest = 0;          // [degC]
+    double mass = 0;                                     // [kg]
+    double coldest = 0, hottest = 0;                     // [degC]
     double kinetic = 0, elastic = 0, gravitational = 0;  // [J]
     std::int64_t particles = 0, emitters = 0, cuts = 0;  // cuts since t = 0
     int retries = 0;

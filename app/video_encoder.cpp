@@ -5,115 +5,154 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <vector>
 
 #include "app/atomic_file.h"
 #include "app/exit_code.h"
+#include "app/preset_io/parameter_value.h"
 
 extern char** environ;
 
 namespace ember {
+namespace {
 
-VideoEncoder::VideoEncoder(std::filesystem::path path, int width, int height, double fps)
-    : path_(std::move(path)) {
+constexpr off_t kLogTail = 1000;  // [bytes]
+
+// A file without a name, for a child's messages: unlike a pipe, it never fills up.
+int unnamed_file() {
+    std::string name = std::filesystem::temp_directory_path() / "emberleaf-XXXXXX";
+    const int file = ::mkostemp(name.data(), O_CLOEXEC);
+    if (file >= 0) ::unlink(name.c_str());
+    return file;
+}
+
+std::vector<std::string> ffmpeg_command(const PictureFormat& format, const std::string& output) {
+    return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format",
+            "rgba", "-video_size",
+            std::to_string(format.width) + 'x' + std::to_string(format.height), "-framerate",
+            number_text(format.fps), "-i", "-",
+            // yuv420p shares colour between 2x2 pixels, so both sizes must be even
+            "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p", "-c:v", "libx264", "-crf", "18",
+            "-movflags", "+faststart", "-f", "mp4", output};
+}
+
+// The child gets the default signals and a process group of its own: an interrupt from the
+// keyboard ends our loop, and we then let it finish the film.
+int spawn(const std::vector<std::string>& command, int input, int errors, pid_t& process) {
+    std::vector<char*> arguments;
+    for (const std::string& word : command)
+        arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&files, errors, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t defaults;
+    sigemptyset(&defaults);
+    sigaddset(&defaults, SIGPIPE);
+    posix_spawnattr_setsigdefault(&attributes, &defaults);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    const int error =
+        posix_spawnp(&process, arguments.front(), &files, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&files);
+    return error;
+}
+
+}  // namespace
+
+VideoEncoder::VideoEncoder(std::filesystem::path path, const PictureFormat& format)
+    : path_(std::move(path)), temporary_(temporary_name(path_)) {
     make_folder_of(path_);
-    temporary_ = temporary_name(path_);
-    log_ = temporary_;
-    log_ += ".log";
-    const std::string size = std::to_string(width) + 'x' + std::to_string(height);
-    const std::string rate = std::to_string(fps);
-    // H.264 with 4:2:0 colour needs even sides
-    const char* const arguments[] = {"ffmpeg",
-                                     "-y",
-                                     "-loglevel",
-                                     "error",
-                                     "-f",
-                                     "rawvideo",
-                                     "-pixel_format",
-                                     "rgba",
-                                     "-video_size",
-                                     size.c_str(),
-                                     "-framerate",
-                                     rate.c_str(),
-                                     "-i",
-                                     "-",
-                                     "-vf",
-                                     "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p",
-                                     "-c:v",
-                                     "libx264",
-                                     "-crf",
-                                     "18",
-                                     "-movflags",
-                                     "+faststart",
-                                     temporary_.c_str(),
-                                     nullptr};
-    int pipe[2];
-    if (::pipe2(pipe, O_CLOEXEC) != 0) throw RunError(std::string("pipe: ") + std::strerror(errno));
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, pipe[0], STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log_.c_str(),
-                                     O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    const int error = ::posix_spawnp(&child_, "ffmpeg", &actions, nullptr,
-                                     const_cast<char* const*>(arguments), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    ::close(pipe[0]);
-    input_ = pipe[1];
+    start(format);
+}
+
+void VideoEncoder::start(const PictureFormat& format) {
+    std::array<int, 2> ends{};
+    log_ = unnamed_file();
+    if (log_ < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0) {
+        throw RunError(path_.string() + ": cannot start ffmpeg: " + std::strerror(errno));
+    }
+    // a name that begins with '-' would be taken for an option
+    const std::string output = std::filesystem::absolute(temporary_).string();
+    const int error = spawn(ffmpeg_command(format, output), ends[0], log_, process_);
+    ::close(ends[0]);
+    pipe_ = ends[1];
     if (error == 0) return;
-    ::close(input_);
-    std::error_code ignored;
-    std::filesystem::remove(log_, ignored);
-    throw RunError(path_.string() + ": films need the ffmpeg program (" + std::strerror(error) +
-                   "): sudo apt install ffmpeg, or write pictures with -o frame_####.png");
+    ::close(pipe_);
+    ::close(log_);
+    throw RunError(error == ENOENT
+                       ? path_.string() +
+                             ": films need the ffmpeg program: sudo apt install ffmpeg, "
+                             "or write pictures with -o frame_####.png"
+                       : path_.string() + ": ffmpeg: " + std::strerror(error));
 }
 
 VideoEncoder::~VideoEncoder() {
-    if (child_ > 0) {
-        ::close(input_);
-        ::waitpid(child_, nullptr, 0);
+    if (pipe_ >= 0) ::close(pipe_);
+    if (process_ > 0) {
+        ::kill(process_, SIGTERM);
+        wait_for_end();
     }
-    std::error_code ignored;
-    std::filesystem::remove(temporary_, ignored);
-    std::filesystem::remove(log_, ignored);
+    if (!finished_) ::unlink(temporary_.c_str());
+    if (log_ >= 0) ::close(log_);
 }
 
-std::string VideoEncoder::last_words() const {
-    std::ifstream in(log_);
-    std::string line, last;
-    while (std::getline(in, line)) {
-        if (!line.empty()) last = line;
+int VideoEncoder::wait_for_end() {
+    int status = 0;
+    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
     }
-    return last.empty() ? "no reason given" : last;
+    process_ = -1;
+    return status;
 }
 
-void VideoEncoder::fail() {
-    throw RunError(path_.string() + ": ffmpeg failed: " + last_words());
+void VideoEncoder::fail(const std::string& reason) {
+    const off_t size = ::lseek(log_, 0, SEEK_END);
+    std::string tail(static_cast<std::size_t>(std::min(size, kLogTail)), '\0');
+    const ssize_t count =
+        ::pread(log_, tail.data(), tail.size(), size - static_cast<off_t>(tail.size()));
+    tail.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    throw RunError(path_.string() + ": ffmpeg failed: " + (tail.empty() ? reason : tail));
 }
 
-void VideoEncoder::add(const Image& image) {
-    const std::uint8_t* data = image.rgba.data();
-    std::size_t left = image.rgba.size();
+void VideoEncoder::put(const Picture& picture) {
+    const std::uint8_t* bytes = picture.image.rgba.data();
+    std::size_t left = picture.image.rgba.size();
     while (left > 0) {
-        const ssize_t count = ::write(input_, data, left);
+        const ssize_t count = ::write(pipe_, bytes, left);
         if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) fail();
-        data += count;
+        if (count < 0) {
+            const std::string reason = std::strerror(errno);
+            wait_for_end();  // so that its last words are in the log
+            fail(reason);
+        }
+        bytes += count;
         left -= static_cast<std::size_t>(count);
     }
 }
 
 void VideoEncoder::finish() {
-    ::close(input_);
-    int status = 0;
-    ::waitpid(child_, &status, 0);
-    child_ = -1;
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
-    std::error_code error;
-    std::filesystem::rename(temporary_, path_, error);
-    if (error) throw RunError(path_.string() + ": " + error.message());
+    ::close(pipe_);
+    pipe_ = -1;
+    const int status = wait_for_end();
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail("it ended abnormally");
+    if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
+        throw RunError(path_.string() + ": cannot write: " + std::strerror(errno));
+    }
+    finished_ = true;
+}
+
+std::string VideoEncoder::where() const {
+    return finished_ ? path_.string() : path_.string() + " (incomplete, removed)";
 }
 
 }  // namespace ember

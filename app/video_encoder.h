@@ -1,34 +1,40 @@
-// Films through the ffmpeg program: raw frames into its standard input.
+// Films, through the ffmpeg program: raw pictures go into its standard input.
 #pragma once
 
 #include <sys/types.h>
 
 #include <filesystem>
 
-#include "render/image.h"
+#include "app/picture_sink.h"
 
 namespace ember {
 
-/// Encodes H.264 MP4. The film appears under its name only when it is complete.
-class VideoEncoder {
+/// H.264 in MP4, for any player (yuv420p; odd sizes get one more row or column). The film appears
+/// under its name when it is complete.
+class VideoEncoder final : public PictureSink {
   public:
-    /// Starts ffmpeg. Throws RunError when it cannot be started, and says what to install.
-    VideoEncoder(std::filesystem::path path, int width, int height, double fps);
-    /// Abandons the film unless finish() has been called.
-    ~VideoEncoder();
+    /// Starts ffmpeg. Throws RunError when it is not installed.
+    VideoEncoder(std::filesystem::path path, const PictureFormat& format);
+    /// Ends ffmpeg and removes the incomplete file, unless finish() has been called.
+    ~VideoEncoder() override;
     VideoEncoder(const VideoEncoder&) = delete;
     VideoEncoder& operator=(const VideoEncoder&) = delete;
 
-    /// Throws RunError with ffmpeg's own words when it has given up.
-    void add(const Image& image);
-    void finish();
+    /// Throws RunError with the last lines that ffmpeg printed when it has failed.
+    void put(const Picture& picture) override;
+    void finish() override;
+    [[nodiscard]] std::string where() const override;
 
   private:
-    [[noreturn]] void fail();
-    [[nodiscard]] std::string last_words() const;
-    std::filesystem::path path_, temporary_, log_;
-    pid_t child_ = -1;
-    int input_ = -1;
+    void start(const PictureFormat& format);
+    [[noreturn]] void fail(const std::string& reason);
+    int wait_for_end();
+
+    std::filesystem::path path_, temporary_;
+    int pipe_ = -1;  ///< our end of its standard input
+    int log_ = -1;   ///< an unnamed file that holds its standard error
+    pid_t process_ = -1;
+    bool finished_ = false;
 };
 
 }  // namespace ember
