@@ -92,7 +92,7 @@ ImageText metadata(const LoadedPreset& preset, const Renderer& renderer) {
 // A shot while it is being drawn.
 class Shot {
   public:
-    Shot(const RenderOptions& options, const LoadedPreset& preset, World& world)
+    Shot(const RenderOptions& options, const LoadedPreset& preset, World& world, bool several)
         : options_(options),
           preset_(preset),
           world_(world),
@@ -103,7 +103,7 @@ class Shot {
               world, options.stats.empty() ? nullptr : stats_.observer(),
               [this](const StepReport& report) { note(report); },
               preset.render.view.mode == ViewMode::Lattice) {
-        const PictureFormat format{size_.width, size_.height, preset.render.shot.fps,
+        const PictureFormat format{size_.width, size_.height, preset.render.shot.fps, several,
                                    metadata(preset, renderer_)};
         for (const std::string& output : options.outputs) {
             sinks_.push_back(open_sink(output, format));
@@ -176,7 +176,7 @@ int run_render(const RenderOptions& options) {
         static_cast<void>(output_kind(output));
     World world = build_world(preset, options.run.threads);
     watch_for_interrupts();
-    return Shot(options, preset, world).draw(pictures);
+    return Shot(options, preset, world, pictures.size() > 1).draw(pictures);
 }
 
 void add_picture_options(CLI::App& command, RenderOptions& options) {

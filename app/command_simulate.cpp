@@ -20,7 +20,7 @@ namespace {
 
 struct SimulateOptions {
     RunOptions run;
-    double seconds = 0;  // [s]
+    double seconds = -1;  // [s]; negative: the preset's shot
     std::string stats, state, at;
 };
 
@@ -51,8 +51,10 @@ void print_summary(const World& world, const StatsRecorder& stats) {
     std::printf("\nnodes: %lld unburnt, %lld burning, %lld burnt out\n",
                 static_cast<long long>(nodes.unburnt), static_cast<long long>(nodes.burning),
                 static_cast<long long>(nodes.burnt_out));
-    std::printf("burnt out: 10 %% at %.2f s, 50 %% at %.2f s, 90 %% at %.2f s\n",
-                stats.burnt_out_time(0.1), stats.burnt_out_time(0.5), stats.burnt_out_time(0.9));
+    for (const int percent : {10, 50, 90}) {
+        const double time = stats.burnt_out_time(0.01 * percent);
+        if (std::isfinite(time)) std::printf("%d %% burnt out at %.2f s\n", percent, time);
+    }
     std::printf("cuts: %lld, ticks retried: %lld\n",
                 static_cast<long long>(world.state().totals.cuts),
                 static_cast<long long>(world.state().totals.retries));
@@ -62,12 +64,11 @@ void print_summary(const World& world, const StatsRecorder& stats) {
 // A run while it goes on.
 class Run {
   public:
-    Run(const SimulateOptions& options, const LoadedPreset& preset, World& world)
+    Run(const SimulateOptions& options, const LoadedPreset& preset, World& world, long ticks)
         : options_(options),
           preset_(preset),
           world_(world),
-          ticks_(static_cast<long>(
-              std::ceil(options.seconds * preset.params.numerics.tick_rate - 1e-6))),
+          ticks_(ticks),
           progress_("ticks", ticks_, options.run.quiet),
           source_(world, stats_.observer(), [this](const StepReport& r) { note(r); }) {}
 
@@ -99,10 +100,8 @@ class Run {
         if (interrupt_signal() != 0) return true;
         FrameView frame;
         if (!source_.show(times[number], frame)) return false;
-        const std::string name = times.size() == 1 && options_.state.find('#') == std::string::npos
-                                     ? options_.state
-                                     : FilePattern(options_.state).name(static_cast<long>(number));
-        write_file(name, state_ply(frame.view));
+        const FilePattern pattern(options_.state, times.size() > 1);
+        write_file(pattern.name(static_cast<long>(number)), state_ply(frame.view));
         return true;
     }
 
@@ -124,11 +123,15 @@ class Run {
 
 int run_simulate(const SimulateOptions& options) {
     const LoadedPreset preset = load_run(options.run);
-    const std::vector<double> times = state_times(options, options.seconds);
+    const double seconds = options.seconds < 0 ? preset.render.shot.duration : options.seconds;
+    const std::vector<double> times = state_times(options, seconds);
+    // whole ticks, so that the last state and its hash never depend on what is written when
+    const auto ticks =
+        static_cast<long>(std::ceil(seconds * preset.params.numerics.tick_rate - 1e-6));
     if (!options.state.empty()) static_cast<void>(FilePattern(options.state));
     World world = build_world(preset, options.run.threads);
     watch_for_interrupts();
-    return Run(options, preset, world).go(times);
+    return Run(options, preset, world, ticks).go(times);
 }
 
 }  // namespace
@@ -137,8 +140,7 @@ void add_simulate_command(CLI::App& app, Task& task) {
     CLI::App* command = app.add_subcommand("simulate", "simulate without drawing");
     const auto options = std::make_shared<SimulateOptions>();
     add_run_options(*command, options->run);
-    command->add_option("--seconds", options->seconds, "how long; rounded up to whole ticks")
-        ->required()
+    command->add_option("--seconds", options->seconds, "how long; default: the preset's shot")
         ->check(CLI::Range(0.0, 86400.0))
         ->type_name("S");
     command->add_option("--stats", options->stats, "write statistics of every tick as JSON")

@@ -5,7 +5,6 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/preset_io/nearest_word.h"
 #include "app/run_options.h"
 #ifdef EMBERLEAF_WITH_UI
 #include "ui/window_app.h"
@@ -21,19 +20,6 @@ bool is_set(const char* variable) {
     return value != nullptr && *value != '\0';
 }
 
-// A mistyped subcommand looks like a preset to the command line.
-void refuse_mistyped_command(const CLI::App& app, const std::string& preset) {
-    if (!find_preset(preset, "").empty()) return;
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({}))
-        names.push_back(command->get_name());
-    const std::string near =
-        nearest_word(preset, std::vector<std::string_view>(names.begin(), names.end()));
-    if (near.empty()) return;
-    throw InputError(preset + ": error: neither a command nor a preset; did you mean " + near +
-                     '?');
-}
-
 int open_window(const std::string& preset) {
     RunOptions run;
     run.preset = preset.empty() ? kDefaultPreset : preset;
@@ -46,7 +32,7 @@ int open_window(const std::string& preset) {
             run.preset + " -o frame_####.png");
     }
 #ifdef EMBERLEAF_WITH_UI
-    return run_window({loaded.info.path, loaded.params, loaded.render, loaded.info, run.threads});
+    return run_window({loaded.info, loaded.params, loaded.render, run.threads});
 #else
     throw RunError("built without a window; to draw: emberleaf render " + run.preset +
                    " -o frame_####.png");
@@ -60,7 +46,6 @@ void add_window_command(CLI::App& app, Task& task) {
     app.add_option("PRESET", *preset, "opens the window with this preset file or built-in preset");
     app.parse_complete_callback([&app, preset, &task] {
         if (!app.get_subcommands().empty()) return;
-        refuse_mistyped_command(app, *preset);
         task = [preset] { return open_window(*preset); };
     });
 }

@@ -7,28 +7,34 @@
 
 namespace ember {
 
-FilePattern::FilePattern(const std::string& text) {
+FilePattern::FilePattern(const std::string& text, bool several) {
     static const std::regex place("#+|%(0([1-9]))?d");
-    const auto begin = std::sregex_iterator(text.begin(), text.end(), place);
+    const std::filesystem::path path(text);
+    const std::string name = path.filename().string();
+    const std::string folder = text.substr(0, text.size() - name.size());
+    const auto begin = std::sregex_iterator(name.begin(), name.end(), place);
     const auto places = std::distance(begin, std::sregex_iterator());
-    if (places > 1) throw InputError(text + ": more than one place for the number");
+    if (places > 1) throw InputError(text + ": error: more than one place for the number");
     if (places == 1) {
         const std::smatch& match = *begin;
-        before_ = match.prefix();
+        before_ = folder + match.prefix().str();
         after_ = match.suffix();
         const bool hashes = match.str().front() == '#';
         width_ = hashes ? match.str().size() : match[2].matched ? std::stoul(match[2]) : 1;
+    } else if (!several) {
+        before_ = text;
+        numbered_ = false;
     } else {
-        const std::filesystem::path path(text);
-        before_ = (path.parent_path() / path.stem()).string() + '_';
+        before_ = folder + path.stem().string() + '_';
         after_ = path.extension().string();
     }
-    if ((before_ + after_).find('%') != std::string::npos) {
-        throw InputError(text + ": expected ####, %d or %0Nd as the place of the number");
+    if (name.empty() || (before_ + after_).find('%', folder.size()) != std::string::npos) {
+        throw InputError(text + ": error: expected a name with ####, %d or %0Nd for the number");
     }
 }
 
 std::string FilePattern::name(long number) const {
+    if (!numbered_) return before_;
     std::string digits = std::to_string(number);
     if (digits.size() < width_) digits.insert(0, width_ - digits.size(), '0');
     return before_ + digits + after_;

@@ -8,9 +8,10 @@ namespace ember {
 /// A file name with a place for a number.
 class FilePattern {
   public:
-    /// Accepts one run of '#' or one "%d" or "%0Nd"; without either, "_####" is put in front of
-    /// the extension. Throws InputError for any other '%' and for a second place.
-    explicit FilePattern(const std::string& text);
+    /// Accepts one run of '#' or one "%d" or "%0Nd" in the file's name; without either, "_####" is
+    /// put in front of the extension if there are `several` files. Throws InputError for any
+    /// other '%' and for a second place.
+    explicit FilePattern(const std::string& text, bool several = true);
 
     /// The name for `number`, padded with zeros to the width of the place.
     [[nodiscard]] std::string name(long number) const;
@@ -18,6 +19,7 @@ class FilePattern {
   private:
     std::string before_, after_;
     std::size_t width_ = 4;
+    bool numbered_ = true;
 };
 
 }  // namespace ember

@@ -29,8 +29,9 @@ bool parse_number(std::string_view text, T& value) {
 }
 
 [[noreturn]] void refuse_frames(const std::string& text) {
-    throw InputError("--frames: expected frames such as 0..240, 0..240+5 or 1,40,80..90, got \"" +
-                     text + '"');
+    throw InputError(
+        "--frames: error: expected frames such as 0..240, 0..240+5 or 1,40,80..90, got \"" + text +
+        '"');
 }
 
 }  // namespace
@@ -65,8 +66,8 @@ std::vector<double> parse_times(const std::string& text) {
     for (const std::string& part : split(text, ',')) {
         double time = 0;
         if (!parse_number(part, time) || !std::isfinite(time) || time < 0) {
-            throw InputError("--at: expected times in seconds such as 0.5,1,2, got \"" + text +
-                             '"');
+            throw InputError("--at: error: expected times in seconds such as 0.5,1,2, got \"" +
+                             text + '"');
         }
         times.push_back(time);
     }
@@ -81,7 +82,8 @@ PictureSize parse_size(const std::string& text) {
                       parse_number(parts[1], size.height) && size.width >= 1 && size.height >= 1 &&
                       size.width <= 16384 && size.height <= 16384;
     if (!good) {
-        throw InputError("--size: expected WIDTHxHEIGHT up to 16384x16384, got \"" + text + '"');
+        throw InputError("--size: error: expected WIDTHxHEIGHT up to 16384x16384, got \"" + text +
+                         '"');
     }
     return size;
 }

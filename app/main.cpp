@@ -1,14 +1,23 @@
 // The program: reads the command line, runs what it asks for, turns failures into exit codes.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <new>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/preset_io/nearest_word.h"
+#include "app/preset_io/preset_io.h"
 #include "app/version.h"
 
 namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  emberleaf paper/corner                                the window\n"
+    "  emberleaf render paper/corner -o out/frame_####.png   pictures\n"
+    "  emberleaf render paper/corner -o out/burn.mp4 --turntable 90\n"
+    "  emberleaf simulate paper/corner --stats out/stats.json\n";
 
 // "--frmes" is near "--frames" of the chosen subcommand.
 std::string suggestion(const CLI::App& app) {
@@ -29,6 +38,21 @@ std::string suggestion(const CLI::App& app) {
     return {};
 }
 
+// A mistyped command looks like the window's preset to the command line.
+std::string mistyped_command(const CLI::App& app, const std::string& word) {
+    if (word.starts_with("-") || !ember::find_preset(word, "").empty()) return {};
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    const std::string near =
+        ember::nearest_word(word, std::vector<std::string_view>(names.begin(), names.end()));
+    const bool known = std::find(names.begin(), names.end(), word) != names.end();
+    return near.empty() || known
+               ? ""
+               : word + ": error: neither a command nor a preset; did you mean " + near + '?';
+}
+
 int parse_and_run(int argc, char** argv) {
     CLI::App app("Simulates and draws burning paper.", "emberleaf");
     app.set_version_flag("--version", std::string("emberleaf ") + ember::kVersion);
@@ -40,6 +64,9 @@ int parse_and_run(int argc, char** argv) {
     ember::add_presets_command(app, task);
     ember::add_params_command(app, task);
     ember::add_window_command(app, task);
+    app.footer(kExamples);
+    const std::string mistyped = argc > 1 ? mistyped_command(app, argv[1]) : "";
+    if (!mistyped.empty()) throw ember::InputError(mistyped);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& e) {  // --help and --version

@@ -13,7 +13,8 @@ namespace {
 
 class PngSink final : public PictureSink {
   public:
-    PngSink(const std::string& output, ImageText text) : pattern_(output), text_(std::move(text)) {
+    PngSink(const std::string& output, const PictureFormat& format)
+        : pattern_(output, format.several), text_(format.text) {
         make_folder_of(output);
     }
 
@@ -55,7 +56,7 @@ OutputKind output_kind(const std::string& output) {
 
 std::unique_ptr<PictureSink> open_sink(const std::string& output, const PictureFormat& format) {
     if (output_kind(output) == OutputKind::Png) {
-        return std::make_unique<PngSink>(output, format.text);
+        return std::make_unique<PngSink>(output, format);
     }
     return std::make_unique<VideoEncoder>(output, format);
 }

@@ -31,7 +31,8 @@ class PictureSink {
 struct PictureFormat {
     int width = 0, height = 0;
     double fps = 30;
-    ImageText text;  ///< goes into every PNG, together with "Frame" and "Time"
+    bool several = true;  ///< false: a name without a place for the number is taken as it is
+    ImageText text;       ///< goes into every PNG, together with "Frame" and "Time"
 };
 
 enum class OutputKind { Png, Mp4 };

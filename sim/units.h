@@ -12,8 +12,13 @@ struct Unit {
     double scale = 1.0;
     double offset = 0.0;
 
-    [[nodiscard]] constexpr double to_si(double shown) const { return shown * scale + offset; }
-    [[nodiscard]] constexpr double from_si(double si) const { return (si - offset) / scale; }
+    // 18 mm are 18 / 1000 m to the last bit; 18 * 1e-3 is not, because 1e-3 is no binary fraction
+    [[nodiscard]] constexpr double to_si(double shown) const {
+        return (scale < 1.0 ? shown / (1.0 / scale) : shown * scale) + offset;
+    }
+    [[nodiscard]] constexpr double from_si(double si) const {
+        return scale < 1.0 ? (si - offset) * (1.0 / scale) : (si - offset) / scale;
+    }
 };
 
 namespace unit {
@@ -46,6 +51,8 @@ inline constexpr Unit metre_per_second_squared{"m/s^2", "acceleration"};
 inline constexpr Unit per_second_squared{"1/s^2", "specific stiffness"};
 inline constexpr Unit per_second_square_metre{"1/(s m^2)", "emission"};
 }  // namespace unit
+
+static_assert(unit::millimetre.to_si(18.0) == 0.018 && unit::per_minute.to_si(60.0) == 1.0);
 
 /// Every unit that a preset string may end in.
 inline constexpr Unit kUnits[] = {unit::one,

@@ -40,18 +40,25 @@ std::string exact_text(double value) {
     return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-// The shown value whose SI value is `si` to the last bit: converting there and back may lose it.
-double exact_shown(const Unit& unit, double si) {
-    const double nearest = unit.from_si(si);
-    double below = nearest, above = nearest;
-    if (unit.to_si(rounded(nearest)) == si) return rounded(nearest);
+// The text in `unit` that reads back to exactly `si`; empty when no double in that unit does.
+std::string exact_quantity(const Unit& unit, double si) {
+    double below = unit.from_si(si), above = below;
+    if (unit.to_si(rounded(below)) == si) return exact_text(rounded(below));
     for (int i = 0; i < 8; ++i) {
-        if (unit.to_si(below) == si) return below;
-        if (unit.to_si(above) == si) return above;
+        if (unit.to_si(below) == si) return exact_text(below);
+        if (unit.to_si(above) == si) return exact_text(above);
         below = std::nextafter(below, -HUGE_VAL);
         above = std::nextafter(above, HUGE_VAL);
     }
-    return nearest;
+    return {};
+}
+
+std::string si_quantity(std::string_view dimension, double si) {
+    for (const Unit& unit : kUnits) {
+        if (unit.dimension != dimension || unit.scale != 1.0 || unit.offset != 0.0) continue;
+        return '"' + exact_text(si) + ' ' + std::string(unit.name) + '"';
+    }
+    return {};
 }
 
 const Unit* find_unit(std::string_view name, std::string_view dimension) {
@@ -70,7 +77,7 @@ std::string units_of(std::string_view dimension) {
     return list.empty() ? "no unit" : list;
 }
 
-// "0.08 kg/m^2" into the row's shown unit.
+// "0.08 kg/m^2" into SI.
 ParsedValue parse_quantity(const ParamInfo& row, const std::string& text) {
     double number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -84,8 +91,7 @@ ParsedValue parse_quantity(const ParamInfo& row, const std::string& text) {
     if (unit == nullptr) {
         return refuse(row, text, "; units that fit: " + units_of(row.unit.dimension));
     }
-    // 15 digits: the conversion leaves noise in the last ones, which could miss the range's end
-    return {rounded(row.unit.from_si(unit->to_si(number))), {}, {}};
+    return {unit->to_si(number), {}, {}};
 }
 
 ParsedValue parse_choice(const ParamInfo& row, const PresetValue& value) {
@@ -101,23 +107,24 @@ ParsedValue parse_choice(const ParamInfo& row, const PresetValue& value) {
 ParsedValue parse_value(const ParamInfo& row, const PresetValue& value) {
     if (row.kind == ParamKind::Choice) return parse_choice(row, value);
     const auto* flag = std::get_if<bool>(&value);
+    if (row.kind != ParamKind::Toggle && flag != nullptr) return refuse(row, value);
     if (row.kind == ParamKind::Toggle) {
         return flag != nullptr ? ParsedValue{*flag ? 1.0 : 0.0, {}, {}} : refuse(row, value);
     }
     ParsedValue result;
     if (const auto* whole = std::get_if<std::int64_t>(&value)) {
-        result.shown = static_cast<double>(*whole);
+        result.si = row.unit.to_si(static_cast<double>(*whole));
     } else if (const auto* real = std::get_if<double>(&value)) {
-        result.shown = *real;
-    } else if (const auto* text = std::get_if<std::string>(&value)) {
-        result = parse_quantity(row, *text);
-        if (!result.error.empty()) return result;
+        result.si = row.unit.to_si(*real);
     } else {
-        return refuse(row, value);
+        result = parse_quantity(row, std::get<std::string>(value));
+        if (!result.error.empty()) return result;
     }
-    const bool whole = row.kind != ParamKind::Integer || result.shown == std::floor(result.shown);
-    if (!whole || !row.hard.contains(result.shown)) return refuse(row, value);
-    if (!row.tested.contains(result.shown)) {
+    // 15 digits: the conversion leaves noise in the last ones, which could miss the range's end
+    const double shown = rounded(row.unit.from_si(result.si));
+    const bool whole = row.kind != ParamKind::Integer || result.si == std::floor(result.si);
+    if (!whole || !row.hard.contains(shown)) return refuse(row, value);
+    if (!row.tested.contains(shown)) {
         result.warning = "outside what has been tried: " + range_text(row, row.tested);
     }
     return result;
@@ -144,6 +151,7 @@ std::string range_text(const ParamInfo& row, ParamRange range) {
 std::string number_text(double value) {
     if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
     if (std::isnan(value)) return "nan";
+    if (value == std::floor(value) && std::abs(value) < 1e16) return exact_text(value);
     return exact_text(rounded(value));
 }
 
@@ -159,7 +167,9 @@ std::string value_text(const ParamInfo& row, const void* object) {
         case ParamKind::Real:
             break;
     }
-    return std::isfinite(si) ? exact_text(exact_shown(row.unit, si)) : number_text(si);
+    if (!std::isfinite(si)) return number_text(si);
+    const std::string in_shown_unit = exact_quantity(row.unit, si);
+    return in_shown_unit.empty() ? si_quantity(row.unit.dimension, si) : in_shown_unit;
 }
 
 }  // namespace ember

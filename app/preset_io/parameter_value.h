@@ -12,9 +12,9 @@ namespace ember {
 /// What TOML can hold that a parameter may be set to.
 using PresetValue = std::variant<bool, std::int64_t, double, std::string>;
 
-/// The value in the row's shown unit, or why it is refused ("expected ..., got ...").
+/// The value in SI, or why it is refused ("expected ..., got ...").
 struct ParsedValue {
-    double shown = 0;
+    double si = 0;
     std::string error;    ///< empty: accepted
     std::string warning;  ///< accepted, but outside the range that has been tried
 };
@@ -26,8 +26,9 @@ struct ParsedValue {
 /// "5 to 5000 g/m^2".
 [[nodiscard]] std::string range_text(const ParamInfo& row, ParamRange range);
 
-/// The present value of `row` in `object` as it would stand in a preset, in the shown unit: the
-/// shortest text that reads back to the same bits.
+/// The present value of `row` in `object` as it would stand in a preset: the shortest text that
+/// reads back to the same bits, in the shown unit, or in SI with its unit where no number in the
+/// shown unit does.
 [[nodiscard]] std::string value_text(const ParamInfo& row, const void* object);
 
 /// Shortest decimal text of a number that reads back to the same double, up to 15 digits.

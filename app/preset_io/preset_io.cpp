@@ -169,7 +169,7 @@ class Reader {
             report(node.source(), key, parsed.error);
             return;
         }
-        row->set_shown(object, parsed.shown);
+        row->set(object, parsed.si);
         if (!parsed.warning.empty()) {
             report(node.source(), key, parsed.warning, Severity::Warning);
         }
@@ -255,7 +255,7 @@ std::vector<Diagnostic> apply_override(const std::string& assignment,
         if (row == nullptr) continue;
         const ParsedValue parsed = parse_value(*row, override_value(text));
         if (!parsed.error.empty()) return diagnostic(Severity::Error, key, parsed.error);
-        row->set_shown(binding.object, parsed.shown);
+        row->set(binding.object, parsed.si);
         if (parsed.warning.empty()) return {};
         return diagnostic(Severity::Warning, key, parsed.warning);
     }
