@@ -58,9 +58,9 @@ void main() {
 
     // ash is patchy: pale flakes with dark cracks between them
     float ash = smoothstep(2.1, 3.2, progress);
-    float flakes = smoothstep(0.30, 0.72, fractal_noise(v_sheet * 0.23 + 5.0));
-    float cracks = smoothstep(0.0, 0.10, abs(fractal_noise(v_sheet * 0.33 + 40.0) - 0.5));
-    albedo *= mix(1.0, (0.25 + 1.25 * flakes) * (0.45 + 0.55 * cracks) * (0.7 + 0.6 * fibre.r), ash);
+    float flakes = smoothstep(0.22, 0.80, fractal_noise(v_sheet * 0.11 + 5.0));
+    float cracks = smoothstep(0.0, 0.05, abs(fractal_noise(v_sheet * 0.16 + 40.0) - 0.5));
+    albedo *= mix(1.0, (0.45 + 0.95 * flakes) * (0.55 + 0.45 * cracks) * (0.7 + 0.6 * fibre.r), ash);
 
     // embers need heat: where ash borders on cold paper nothing glows
     float hot = smoothstep(330.0, 620.0, v_state.y);

@@ -44,8 +44,8 @@ void size_grid(const FireState& fire, double radius, ParticleGrid& grid) {
     }
 }
 
-void fill_grid(const FireState& fire, double heating, double span, double ambient,
-               ParticleGrid& grid) {
+void fill_grid(const FireState& fire, double heating, double span, double ambient, double time,
+               double heating_time, ParticleGrid& grid) {
     const std::size_t count = fire.size();
     const auto cells = static_cast<std::size_t>(grid.nx * grid.ny * grid.nz);
     grid.begin.assign(cells + 1, 0);
@@ -58,6 +58,7 @@ void fill_grid(const FireState& fire, double heating, double span, double ambien
     grid.position.resize(count);
     grid.velocity.resize(count);
     grid.heating.resize(count);
+    grid.freshness.resize(count);
     grid.absorbed.assign(count, 0.0);
     // begin[c] serves as the next free place of cell c, and is set back afterwards
     for (std::size_t i = 0; i < count; ++i) {
@@ -66,7 +67,9 @@ void fill_grid(const FireState& fire, double heating, double span, double ambien
         grid.order[at] = static_cast<Index>(i);
         grid.position.set(at, fire.position.at(i));
         grid.velocity.set(at, fire.velocity.at(i));
-        grid.heating[at] = heating * fire.strength[i] * (fire.temperature[i] - ambient) / span;
+        grid.freshness[at] = ember::exp((fire.birth[i] - time) / heating_time);
+        grid.heating[at] = heating * fire.strength[i] * grid.freshness[at] *
+                           (fire.temperature[i] - ambient) / span;
     }
     for (std::size_t c = cells; c > 0; --c)
         grid.begin[c] = grid.begin[c - 1];
@@ -158,9 +161,9 @@ double particle_heating(const FireParams& fire, const PaperParams& paper) {
            ember::pow(2e-4 / paper.c_s, fire.stability_exponent);
 }
 
-void couple_fire(const Params& params, double dt, const std::vector<SheetState>& sheets,
-                 FireState& fire, ParticleGrid& grid, std::vector<NodeFire>& received,
-                 StepCounters& counters) {
+void couple_fire(const Params& params, double time, double dt,
+                 const std::vector<SheetState>& sheets, FireState& fire, ParticleGrid& grid,
+                 std::vector<NodeFire>& received, StepCounters& counters) {
     received.resize(sheets.size());
     for (std::size_t s = 0; s < sheets.size(); ++s) {
         const std::size_t nodes = fire.size() > 0 ? sheets[s].mass.size() : 0;
@@ -173,14 +176,16 @@ void couple_fire(const Params& params, double dt, const std::vector<SheetState>&
     const double span = params.fire.temperature - ambient;
     if (fire.size() == 0 || !(span > 0)) return;
     size_grid(fire, params.fire.kernel_radius, grid);
-    fill_grid(fire, particle_heating(params.fire, params.paper), span, ambient, grid);
+    fill_grid(fire, particle_heating(params.fire, params.paper), span, ambient, time,
+              params.fire.heating_time, grid);
     for (std::size_t s = 0; s < sheets.size(); ++s) {
         couple_sheet(params, sheets[s], grid, received[s], counters);
     }
     for (std::size_t i = 0; i < grid.order.size(); ++i) {
         if (!(grid.absorbed[i] > 0)) continue;
         double& t = fire.temperature[static_cast<std::size_t>(grid.order[i])];
-        t = ambient + (t - ambient) * ember::exp(-params.fire.absorption * grid.absorbed[i] * dt);
+        t = ambient + (t - ambient) * ember::exp(-params.fire.absorption * grid.freshness[i] *
+                                                 grid.absorbed[i] * dt);
     }
 }
 

@@ -305,6 +305,11 @@ constexpr ParamInfo kRows[] = {
     real<&P::fire, &FireParams::heating>(
         "fire.heating", "A_0", unit::kelvin_per_second, {0, 1e7}, {500, 2e4}, Logarithmic, Live,
         {"Heating by one particle at its centre, for 80 g/m^2 and c_s 2e-4.", "Our choice"}),
+    real<&P::fire, &FireParams::heating_time>(
+        "fire.heating_time", "", unit::second, {1e-3, 1e6}, {0.02, 1}, Logarithmic, Live,
+        {"Particles heat best while they are fresh: what they give falls to 37 % in this time, "
+         "though the flame is seen for longer. Longer makes fire climb faster than it creeps.",
+         "Our choice"}),
     real<&P::fire, &FireParams::heating_limit>(
         "fire.heating_limit", "S_max", unit::kelvin_per_second, {1, 1e8}, {8e3, 4e4}, Logarithmic,
         Live,

@@ -41,11 +41,11 @@ enum class VariationPattern : std::uint8_t { PerFibre, PerSpring };
 
 /// The mass-spring lattice (section 4.1).
 struct SpringParams {
-    double structural = 7e3;         // [1/s^2] times node weight
-    double diagonal = 7e3;           // [1/s^2]
-    double bending = 2e4;            // [1/s^2]
-    double damping = 5.0;            // [1/s] times node weight
-    double stiffness_scale = 160.0;  // [1] multiplies the three stiffnesses
+    double structural = 7e3;        // [1/s^2] times node weight
+    double diagonal = 7e3;          // [1/s^2]
+    double bending = 2e4;           // [1/s^2]
+    double damping = 5.0;           // [1/s] times node weight
+    double stiffness_scale = 40.0;  // [1] multiplies the three stiffnesses
     StiffnessLaw stiffness_law = StiffnessLaw::PerArea;
     double variation = 0.10;  // [1]
     VariationPattern variation_pattern = VariationPattern::PerFibre;
@@ -55,7 +55,7 @@ struct SpringParams {
 /// What pulls and drags at the sheet from outside.
 struct WorldParams {
     double gravity = 9.81;              // [m/s^2] downwards
-    double held_gravity = 1.0;          // [1] share of gravity that pieces still held feel
+    double held_gravity = 0.12;         // [1] share of gravity that pieces still held feel
     double air_drag = 0.3;              // [kg/(m^2 s)] across the sheet
     double air_drag_tangential = 0.15;  // [1] share of it along the sheet
     bool ground = true;                 // pieces come to rest at y = 0
@@ -84,20 +84,21 @@ struct FireParams {
     double cooling_time = 0.5;         // [s]
     double life_min = 0.42;            // [s]
     double life_max = 0.70;            // [s]
-    double rise_speed = 0.25;          // [m/s] at birth from a burning node
+    double rise_speed = 0.0;           // [m/s] at birth from a burning node
     double lateral_speed = 0.08;       // [m/s] standard deviation per axis
     double buoyancy = 5.0;             // [m/s^2] at birth temperature
     double drag = 2.0;                 // [1/s]
     double kernel_radius = 0.018;      // [m]
-    double heating = 2000.0;           // [K/s] per particle at its centre, for 80 g/m^2, c_s 2e-4
+    double heating = 6000.0;           // [K/s] per particle at its centre, for 80 g/m^2, c_s 2e-4
+    double heating_time = 0.03;        // [s] after birth during which a particle heats
     double heating_limit = 2e4;        // [K/s] per node
     double grammage_exponent = 0.5;    // [1]
     double stability_exponent = 0.25;  // [1]
     double absorption = 10.0;          // [1/s] how fast a particle loses what it gives
     double emission = 7.4e5;           // [1/(s m^2)] of burning paper
     double node_strength = 1.0;        // [1] of particles from burning nodes
-    double force = 0.02;               // [kg/(m^2 s)]
-    double force_limit = 2.0;          // [m/s^2]
+    double force = 0.001;              // [kg/(m^2 s)]
+    double force_limit = 0.1;          // [m/s^2]
 };
 
 /// The lighter (section 4.2, "Lighting the Paper").
@@ -116,7 +117,7 @@ enum class ShrinkRule : std::uint8_t { BothBurning, Half };
 
 /// Shrinking fibres (section 4.3, eq. 4).
 struct ShrinkageParams {
-    double factor = 2e-12;               // [1]
+    double factor = 5e-12;               // [1]
     double reference_step = 1.0 / 60.0;  // [s] the step that eq. 4 leaves out
     double floor = 0.7;                  // [1] of the initial length
     ShrinkRule rule = ShrinkRule::BothBurning;
@@ -127,8 +128,8 @@ struct ShrinkageParams {
 struct FractureParams {
     double threshold = 0.012;  // [1] elongation of a burnt bending spring
     bool middle_burnt = true;
-    double relief_radius = 0.013;  // [m] around a cut ...
-    double relief_time = 0.10;     // [s] ... that rests this long
+    double relief_radius = 0.025;  // [m] around a cut ...
+    double relief_time = 0.70;     // [s] ... that rests this long
     bool release_hinges = true;
 };
 

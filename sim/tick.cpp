@@ -49,7 +49,8 @@ void run_fire(const Tick& t, StepCounters& counters) {
 
 void run_coupling(const Tick& t, StepCounters& counters) {
     const StageScope scope(t.observer, Stage::Coupling);
-    couple_fire(t.params, t.dt, t.state.sheets, t.state.fire, t.work.grid, t.work.fire, counters);
+    couple_fire(t.params, end_time(t), t.dt, t.state.sheets, t.state.fire, t.work.grid, t.work.fire,
+                counters);
 }
 
 // Section 4.1. Returns false when no bounded number of sub-steps is stable.

@@ -52,7 +52,7 @@ struct WorldView {
     double time = 0;              ///< [s]
     double ambient = 0;           ///< [K]
     double ignition = 0;          ///< [K]
-    double residual_mass = 0;                ///< [1] share of a node's mass that stays as ash
+    double residual_mass = 0;     ///< [1] share of a node's mass that stays as ash
     double fire_temperature = 0;  ///< [K] of a particle at birth
     bool ground = false;          ///< a floor at y = 0
     bool lighter_lit = false;

@@ -27,6 +27,7 @@ inline Params plain(int rows, int columns) {
     p.springs.variation = 0;
     p.springs.stiffness_scale = 1;
     p.world.gravity = 0;
+    p.world.held_gravity = 1;
     p.world.air_drag = 0;
     p.world.ground = false;
     p.lighter.on = false;
