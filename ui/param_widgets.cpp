@@ -122,7 +122,7 @@ bool param_widget(const ParamInfo& row, void* object, const void* preset, const 
     ImGui::PushID(id.c_str());
     const bool edited = row.get(object) != row.get(preset);
     std::string label(row.name());
-    std::replace(label.begin(), label.end(), '_', ' ');
+    if (label != row.symbol) std::replace(label.begin(), label.end(), '_', ' ');  // c_s stays c_s
     if (edited) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
     }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <string>
 
 #include "render/camera.h"
 #include "render/renderer.h"
@@ -207,6 +208,10 @@ class App {
         mouse();
         draw(width, height);
         glfwSwapBuffers(window_);
+        char title[64];
+        std::snprintf(title, sizeof title, "emberleaf %.2f s", model_.stats.time);
+        if (title_ != title) glfwSetWindowTitle(window_, title);
+        title_ = title;
     }
 
     void draw(int width, int height) {
@@ -228,6 +233,7 @@ class App {
     Renderer renderer_;
     ImguiPainter painter_;
     int busy_frames_ = kFramesAfterEvent;
+    std::string title_;
 };
 
 void on_key(GLFWwindow* window, int key, int, int action, int mods) {

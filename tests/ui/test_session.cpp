@@ -1,0 +1,116 @@
+// The session without a window: time, edits, trouble.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "ui/session.h"
+
+namespace ember {
+namespace {
+
+Params small() {
+    Params p;
+    p.sheet.rows = 8;
+    p.sheet.columns = 12;
+    return p;
+}
+
+TEST(Session, StartsPausedAndPlaysWholeTicksWhateverTheFrameTime) {
+    Session session(small(), 1);
+    session.advance(1.0);
+    EXPECT_EQ(session.stats().tick, 0u);
+    session.play();
+    for (int i = 0; i < 100; ++i)
+        session.advance(0.01);  // 100 pictures per second
+    EXPECT_NEAR(static_cast<double>(session.stats().tick), 60.0, 1.0);
+    Session slow(small(), 1);
+    slow.play();
+    for (int i = 0; i < 20; ++i)
+        slow.advance(0.05);  // 20 pictures per second
+    EXPECT_NEAR(static_cast<double>(slow.stats().tick), 60.0, 1.0);
+    while (slow.stats().tick < session.stats().tick)
+        slow.step_once();
+    while (session.stats().tick < slow.stats().tick)
+        session.step_once();
+    EXPECT_EQ(session.world().hash(), slow.world().hash());
+}
+
+TEST(Session, DropsTimeThatItCannotKeepUpWith) {
+    Session session(small(), 1);
+    session.play();
+    session.advance(10.0);
+    EXPECT_EQ(session.stats().tick, static_cast<std::uint64_t>(Session::kMostTicks));
+    EXPECT_NEAR(session.stats().dropped, 10.0 - Session::kMostTicks / 60.0, 1e-9);
+    session.advance(0.0);
+    EXPECT_EQ(session.stats().tick, static_cast<std::uint64_t>(Session::kMostTicks));
+}
+
+TEST(Session, AStepIsOneTickAndPauses) {
+    Session session(small(), 1);
+    session.play();
+    session.step_once();
+    EXPECT_EQ(session.stats().tick, 1u);
+    EXPECT_FALSE(session.playing());
+}
+
+TEST(Session, RestartBurnsTheSameAgain) {
+    Session session(small(), 1);
+    for (int i = 0; i < 20; ++i)
+        session.step_once();
+    const std::uint64_t hash = session.world().hash();
+    session.restart();
+    EXPECT_EQ(session.stats().tick, 0u);
+    for (int i = 0; i < 20; ++i)
+        session.step_once();
+    EXPECT_EQ(session.world().hash(), hash);
+}
+
+TEST(Session, LiveEditsActAtOnceAndOthersRestartWithTheSameSeed) {
+    Session session(small(), 1);
+    for (int i = 0; i < 5; ++i)
+        session.step_once();
+    Params live = session.params();
+    live.shrinkage.factor = 9e-12;
+    session.apply(live);
+    EXPECT_EQ(session.stats().tick, 5u);
+    EXPECT_EQ(session.params().shrinkage.factor, 9e-12);
+    Params rebuild = live;
+    rebuild.paper.grammage = 0.120;
+    session.apply(rebuild);
+    EXPECT_EQ(session.stats().tick, 0u);
+    World fresh = make_world(rebuild);
+    for (int i = 0; i < 10; ++i) {
+        session.step_once();
+        ASSERT_TRUE(fresh.step().ok());
+    }
+    EXPECT_EQ(session.world().hash(), fresh.hash());
+}
+
+TEST(Session, WhatCannotBeBuiltLeavesEverythingAsItWas) {
+    Session session(small(), 1);
+    session.step_once();
+    Params bad = session.params();
+    bad.sheet.width = 0;
+    session.apply(bad);
+    EXPECT_NE(session.message().find("sheet.width"), std::string::npos);
+    EXPECT_EQ(session.stats().tick, 1u);
+    EXPECT_GT(session.params().sheet.width, 0);
+    session.apply(session.params());
+    EXPECT_TRUE(session.message().empty());
+}
+
+TEST(Session, ARunThatGoesWrongPausesAndSaysWhere) {
+    Session session(small(), 1);
+    Params broken = session.params();
+    broken.world.gravity = std::numeric_limits<double>::infinity();
+    session.apply(broken);
+    session.play();
+    session.advance(0.1);
+    EXPECT_FALSE(session.playing());
+    EXPECT_NE(session.message().find("stage"), std::string::npos);
+    session.play();
+    EXPECT_FALSE(session.playing()) << "only a restart helps";
+}
+
+}  // namespace
+}  // namespace ember
