@@ -38,7 +38,7 @@ LatticePass::LatticePass() {
     glBindVertexArray(0);
 }
 
-void LatticePass::draw(const PassInput& in) {
+bool LatticePass::draw(const PassInput& in) {
     std::vector<LineVertex> lines;
     // bending springs first, so that the structural ones that cover them are seen
     for (const SpringKind kind :
@@ -56,7 +56,7 @@ void LatticePass::draw(const PassInput& in) {
             }
         }
     }
-    if (lines.empty()) return;
+    if (lines.empty()) return false;
     glBindVertexArray(array_.name());
     upload<LineVertex>(GL_ARRAY_BUFFER, vertices_, lines);
     program_.use();
@@ -66,6 +66,7 @@ void LatticePass::draw(const PassInput& in) {
     glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(lines.size()));
     glDepthFunc(GL_LESS);
     glBindVertexArray(0);
+    return true;
 }
 
 }  // namespace ember

@@ -38,7 +38,7 @@ class StagePass {
 class SheetPass {
   public:
     SheetPass();
-    void draw(const PassInput& in);
+    [[nodiscard]] bool draw(const PassInput& in);  ///< whether there was anything to draw
 
   private:
     void upload_sheets(const WorldView& world);
@@ -55,7 +55,7 @@ class SheetPass {
 class LatticePass {
   public:
     LatticePass();
-    void draw(const PassInput& in);
+    [[nodiscard]] bool draw(const PassInput& in);  ///< whether there was anything to draw
 
   private:
     Program program_{"lines"};

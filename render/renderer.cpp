@@ -54,11 +54,9 @@ void Renderer::draw(const Frame& frame, const RenderParams& params, int width, i
     p.film.begin(width, height);
     p.stage.draw(in);
     if (params.view.mode == ViewMode::Lattice) {
-        p.lattice.draw(in);
-        ++p.counters.lattice;
+        p.counters.lattice += p.lattice.draw(in) ? 1 : 0;
     } else {
-        p.sheets.draw(in);
-        ++p.counters.sheets;
+        p.counters.sheets += p.sheets.draw(in) ? 1 : 0;
     }
     p.film.resolve();
     const bool fire = params.view.flames && params.view.mode == ViewMode::Beauty &&

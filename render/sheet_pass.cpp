@@ -63,10 +63,10 @@ void SheetPass::upload_sheets(const WorldView& world) {
     uploaded_ = topology;
 }
 
-void SheetPass::draw(const PassInput& in) {
+bool SheetPass::draw(const PassInput& in) {
     glBindVertexArray(array_.name());
     upload_sheets(*in.frame.world);
-    if (triangles_.empty()) return;
+    if (triangles_.empty()) return false;
     program_.use();
     set_lighting(program_, in);
     program_.set("u_mode", static_cast<int>(in.params.view.mode));
@@ -83,6 +83,7 @@ void SheetPass::draw(const PassInput& in) {
     }
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles_.size()), GL_UNSIGNED_INT, nullptr);
     glBindVertexArray(0);
+    return true;
 }
 
 }  // namespace ember

@@ -1,0 +1,200 @@
+// What the renderer draws, and that it draws nothing else, on a staged world.
+#include <glad/gl.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/image_difference.h"
+#include "support/gl_rig.h"
+#include "support/node_pixels.h"
+
+namespace ember {
+namespace {
+
+using test::GlRig;
+using test::in_mode;
+using test::NodePixel;
+using test::StagedWorld;
+
+constexpr ViewMode kModes[] = {ViewMode::Beauty, ViewMode::Lattice, ViewMode::Temperature,
+                               ViewMode::Mass, ViewMode::State};
+
+std::vector<std::vector<SpringSegment>> edges_of(const StagedWorld& staged) {
+    std::vector<SpringSegment> springs;
+    for (const Quad& q : staged.quads) {
+        springs.push_back({q[0], q[1], SpringKind::Structural});
+        springs.push_back({q[0], q[3], SpringKind::Structural});
+        springs.push_back({q[0], q[2], SpringKind::Diagonal});
+    }
+    return {springs};
+}
+
+TEST(Passes, APassWithNothingToDrawIsNotRun) {
+    GlRig rig;
+    StagedWorld staged = test::hanging_sheet(4, 6);
+    (void)rig.draw(staged.view(), in_mode(ViewMode::Beauty));
+    EXPECT_EQ(rig.renderer.counters().sheets, 1);
+    EXPECT_EQ(rig.renderer.counters().fire, 0) << "no particles";
+
+    staged.add_particle({0, 0.3, 0}, test::kFlame);
+    (void)rig.draw(staged.view(), in_mode(ViewMode::Beauty, false));
+    (void)rig.draw(staged.view(), in_mode(ViewMode::State));
+    EXPECT_EQ(rig.renderer.counters().fire, 0) << "flames off, or no picture";
+    (void)rig.draw(staged.view(), in_mode(ViewMode::Beauty));
+    EXPECT_EQ(rig.renderer.counters().fire, 1);
+
+    const int sheets = rig.renderer.counters().sheets;
+    (void)rig.draw(staged.view(), in_mode(ViewMode::Lattice));
+    EXPECT_EQ(rig.renderer.counters().lattice, 0) << "no springs";
+    EXPECT_EQ(rig.renderer.counters().sheets, sheets) << "springs instead of paper";
+    staged.quads.clear();
+    staged.topology_version = 2;
+    (void)rig.draw(staged.view(), in_mode(ViewMode::Beauty));
+    EXPECT_EQ(rig.renderer.counters().sheets, sheets) << "no quads";
+    EXPECT_EQ(rig.renderer.counters().frames, 6);
+}
+
+TEST(Renderer, DrawsTheSameBitsAgainAndInANewContext) {
+    const StagedWorld staged = test::burning_sheet(16, 24, 300);
+    Image first;
+    {
+        GlRig rig;
+        first = rig.draw(staged.view(), {});
+        EXPECT_TRUE(compare(first, rig.draw(staged.view(), {})).identical());
+        // other sizes and views in between leave no trace; odd sizes have half and quarter buffers
+        (void)rig.draw(staged.view(), {}, 161, 97);
+        (void)rig.draw(staged.view(), in_mode(ViewMode::Mass), 400, 100);
+        EXPECT_TRUE(compare(first, rig.draw(staged.view(), {})).identical());
+    }
+    GlRig fresh;
+    EXPECT_TRUE(compare(first, fresh.draw(staged.view(), {})).identical());
+}
+
+TEST(Renderer, RaisesNoGlErrorInAnyMode) {
+    GlRig rig;
+    StagedWorld staged = test::burning_sheet(16, 24, 300);
+    staged.lighter_lit = true;
+    const WorldView world = staged.view();
+    const auto springs = edges_of(staged);
+    for (const ViewMode mode : kModes) {
+        (void)rig.renderer.draw_image({&world, springs}, in_mode(mode), 161, 97);
+        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << static_cast<int>(mode);
+    }
+}
+
+TEST(Renderer, ACutIsDrawnAlthoughTheIndicesOfTheWholeSheetWereUploaded) {
+    StagedWorld staged = test::hanging_sheet(8, 12);
+    GlRig used;
+    const Image whole = used.draw(staged.view(), in_mode(ViewMode::State));
+    staged.quads.erase(staged.quads.begin() + 30, staged.quads.begin() + 40);
+    staged.topology_version = 2;
+    const Image cut = used.draw(staged.view(), in_mode(ViewMode::State));
+    GlRig fresh;
+    EXPECT_GT(compare(whole, cut).pixels, 100);
+    EXPECT_TRUE(compare(cut, fresh.draw(staged.view(), in_mode(ViewMode::State))).identical());
+}
+
+TEST(Renderer, TheSheetIsLitOnBothFacesAndWarmWhite) {
+    GlRig rig;
+    const StagedWorld staged = test::hanging_sheet(16, 24);
+    for (const double azimuth : {0.0, 3.141592653589793}) {
+        RenderParams params;
+        params.camera.azimuth = azimuth;
+        const Image image = rig.draw(staged.view(), params);
+        const Colour c = test::linear_colour(image, 160, 90);
+        EXPECT_GT(c.minCoeff(), 0.15f) << azimuth;
+        EXPECT_GE(c.x(), c.z()) << azimuth;
+    }
+}
+
+TEST(Renderer, TheGroundCanBeLeftOut) {
+    GlRig rig;
+    RenderParams params;
+    params.camera.elevation = 0.6;
+    params.view.ground = false;
+    StagedWorld staged = test::hanging_sheet(4, 6);
+    const Image without = rig.draw(staged.view(), params);
+    params.view.ground = true;
+    EXPECT_GT(compare(rig.draw(staged.view(), params), without).pixels, 1000);
+    staged.ground = false;  // a world without a floor
+    EXPECT_TRUE(compare(rig.draw(staged.view(), params), without).identical());
+}
+
+TEST(Renderer, ALitLighterIsSeen) {
+    GlRig rig;
+    StagedWorld staged = test::hanging_sheet(4, 6);
+    const Image dark = rig.draw(staged.view(), {});
+    staged.lighter_lit = true;
+    EXPECT_GT(compare(rig.draw(staged.view(), {}), dark).pixels, 20);
+}
+
+// In a quantity's view every visible node has the colour that its map gives the quantity, and has
+// not when the two maps are exchanged.
+TEST(ColourMappedViews, NodesHaveTheColourOfTheirQuantity) {
+    GlRig rig;
+    const StagedWorld staged = test::burning_sheet(32, 48, 0);
+    constexpr int kWidth = 960, kHeight = 540;
+    const RenderParams params;
+    const WorldView world = staged.view();
+    const auto nodes =
+        test::visible_nodes(world, make_camera(params.camera, kWidth, kHeight), kWidth, kHeight);
+    ASSERT_GT(nodes.size(), 1000u);
+    const auto fitting = [&](ViewMode mode, Colour (*map)(double), const auto& quantity) {
+        const Image image = rig.draw(world, in_mode(mode), kWidth, kHeight);
+        return share(
+            nodes, [](std::size_t) { return true; },
+            [&](const NodePixel& n) {
+                const Colour seen = test::linear_colour(image, n.x, n.y);
+                return test::distance_from_shaded(seen, map(quantity(n.node))) < 0.15f;
+            });
+    };
+    const auto heat = [&](std::size_t n) { return (staged.temperature[n] - 273.15) / 1100.0; };
+    const auto mass = [&](std::size_t n) { return staged.mass[n] / staged.initial_mass[n]; };
+    EXPECT_GE(fitting(ViewMode::Temperature, heat_map, heat), 0.9);
+    EXPECT_GE(fitting(ViewMode::Mass, mass_map, mass), 0.9);
+    EXPECT_LT(fitting(ViewMode::Temperature, mass_map, heat), 0.5);
+    EXPECT_LT(fitting(ViewMode::Mass, heat_map, mass), 0.5);
+}
+
+TEST(LatticeView, SpringsHaveTheColourOfTheirKind) {
+    GlRig rig;
+    StagedWorld staged = test::hanging_sheet(2, 2);
+    RenderParams params = in_mode(ViewMode::Lattice);
+    params.camera.azimuth = params.camera.elevation = 0;
+    const WorldView world = staged.view();
+    const Camera camera = make_camera(params.camera, 960, 540);
+    // the colour half-way along a spring between two nodes, of the brightest pixel of three by
+    // three
+    const auto colour = [&](const SpringSegment& spring) {
+        const std::vector<std::vector<SpringSegment>> springs{{spring}};
+        const Image image = rig.renderer.draw_image({&world, springs}, params, 960, 540);
+        const auto place = [&](Index node) {
+            const auto n = static_cast<std::size_t>(node);
+            return Eigen::Vector3d(staged.x[n], staged.y[n], staged.z[n]).cast<float>().eval();
+        };
+        const Eigen::Vector3f middle =
+            project(camera, 0.5f * (place(spring.a) + place(spring.b)), 960, 540);
+        Colour brightest = Colour::Zero();
+        for (int i = 0; i < 9; ++i) {
+            const Colour c = test::linear_colour(image, int(middle.x()) + i % 3 - 1,
+                                                 int(middle.y()) + i / 3 - 1);
+            if (c.sum() > brightest.sum()) brightest = c;
+        }
+        return brightest;
+    };
+    const Colour along = colour({0, 1, SpringKind::Structural});
+    const Colour across = colour({0, 2, SpringKind::Structural});
+    const Colour diagonal = colour({0, 3, SpringKind::Diagonal});
+    const Colour bending = colour({0, 1, SpringKind::Bending});
+    EXPECT_GT(along.z(), 2 * along.x()) << "blue";
+    EXPECT_GT(across.x(), 1.5f * across.z()) << "pink";
+    EXPECT_GT(across.z(), 1.5f * across.y()) << "pink";
+    EXPECT_GT(diagonal.y(), 3 * diagonal.z()) << "yellow";
+    EXPECT_LT(bending.maxCoeff(), 1.6f * bending.minCoeff()) << "grey";
+
+    staged.phase.assign(4, Phase::BurntOut);
+    EXPECT_LT(colour({0, 1, SpringKind::Structural}).z(), 0.6f * along.z()) << "dimmed";
+}
+
+}  // namespace
+}  // namespace ember
