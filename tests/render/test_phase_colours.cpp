@@ -12,7 +12,7 @@ using test::NodePixel;
 
 constexpr int kWidth = 960, kHeight = 540;
 constexpr Phase kPhases[] = {Phase::Unburnt, Phase::Burning, Phase::BurntOut};
-constexpr std::uint64_t kTick = 180;  // 3 s: every phase covers a good part of the sheet
+constexpr std::uint64_t kTick = 240;  // 4 s: every phase covers a good part of the sheet
 
 using Swap = Phase (*)(Phase);
 Phase as_it_is(Phase p) {
@@ -76,6 +76,34 @@ TEST_F(PhaseColours, NodesHaveThePaletteColourOfTheirPhaseInTheStateView) {
     EXPECT_LT(worst_share(unburnt_and_burning), 0.9);
     EXPECT_LT(worst_share(unburnt_and_burnt_out), 0.9);
     EXPECT_LT(worst_share(burning_and_burnt_out), 0.9);
+}
+
+// In the picture itself colours are lit, grained and glowing, so here they are told apart by what
+// the eye goes by: paper is bright and pale, char and ash are dark, embers are orange.
+bool like_paper(const Colour& c) {
+    return test::luminance(c) > 0.2f && c.x() < 2 * c.z();
+}
+bool like_char(const Colour& c) {
+    return test::luminance(c) < 0.2f;
+}
+bool like_embers(const Colour& c) {
+    return test::luminance(c) > 0.02f && c.x() > 4 * c.z();
+}
+
+TEST_F(PhaseColours, InThePictureUnburntIsPaleBurntOutIsDarkAndEmbersGlowBetween) {
+    const Image image = rig_.draw(world_, params_, kWidth, kHeight);
+    const auto share_like = [&](Phase phase, bool (*like)(const Colour&)) {
+        return share_of(
+            phase, [&](const NodePixel& n) { return like(test::linear_colour(image, n.x, n.y)); });
+    };
+    EXPECT_GE(share_like(Phase::Unburnt, like_paper), 0.9);
+    EXPECT_GE(share_like(Phase::BurntOut, like_char), 0.9);
+    EXPECT_LE(share_like(Phase::Burning, like_paper), 0.1);
+    EXPECT_GE(share_like(Phase::Burning, like_embers), 0.2);
+    EXPECT_LE(share_like(Phase::Unburnt, like_embers), 0.1);
+    // colours of unburnt and burnt-out nodes exchanged: far from passing
+    EXPECT_LE(share_like(Phase::Unburnt, like_char), 0.1);
+    EXPECT_LE(share_like(Phase::BurntOut, like_paper), 0.1);
 }
 
 }  // namespace

@@ -24,6 +24,11 @@ struct NodePixel {
 /// Linear RGB of a pixel, without its alpha.
 [[nodiscard]] Colour linear_colour(const Image& image, int x, int y);
 
+/// Relative luminance of a linear colour.
+[[nodiscard]] inline float luminance(const Colour& c) {
+    return 0.2126f * c.x() + 0.7152f * c.y() + 0.0722f * c.z();
+}
+
 /// How far `seen` is from being `flat` in more or less shade (0.5 to 1.02 times), relative to the
 /// length of `flat`.
 [[nodiscard]] float distance_from_shaded(const Colour& seen, const Colour& flat);
