@@ -1,4 +1,4 @@
-// The studio behind the paper: a soft vertical gradient.
+// The studio behind the paper.
 // in  v_uv
 // out linear RGB
 
@@ -6,6 +6,5 @@ in vec2 v_uv;
 out vec4 o_colour;
 
 void main() {
-    float vignette = 1.0 - 0.35 * dot(v_uv - 0.5, v_uv - 0.5);
-    o_colour = vec4(backdrop(v_uv.y * 1.2 - 0.45) * vignette, 1.0);
+    o_colour = vec4(backdrop(v_uv), 1.0);
 }

@@ -12,9 +12,11 @@ const vec3 kSkyColour = vec3(0.20, 0.23, 0.28);
 const vec3 kGroundColour = vec3(0.10, 0.085, 0.07);
 const vec3 kFlameColour = vec3(1.00, 0.46, 0.13);
 
-// Backdrop colour by height of the view direction (-1 down .. 1 up).
-vec3 backdrop(float up) {
-    return mix(vec3(0.010, 0.011, 0.013), vec3(0.030, 0.034, 0.041), smoothstep(-0.25, 0.45, up));
+// The backdrop by place in the picture (0 .. 1 from the lower left corner): a soft vertical gradient.
+vec3 backdrop(vec2 uv) {
+    vec3 gradient = mix(vec3(0.010, 0.011, 0.013), vec3(0.030, 0.034, 0.041),
+                        smoothstep(0.17, 0.75, uv.y));
+    return gradient * (1.0 - 0.35 * dot(uv - 0.5, uv - 0.5));
 }
 
 // A cheap hash in [0, 1) without trigonometry, which would differ between processors.

@@ -24,5 +24,5 @@ void main() {
     // dense cores are hotter than their edges
     float heat = clamp(v_heat * (0.72 + 0.34 * density), 0.0, 1.0);
     vec3 light = texture(u_ramp, vec2((heat * 255.0 + 0.5) / 256.0, 0.5)).rgb;
-    o_colour = vec4(light * strength * 0.20 * u_brightness, strength * 0.05);
+    o_colour = vec4(light * strength * 0.15 * u_brightness, strength * 0.05);
 }

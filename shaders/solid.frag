@@ -4,6 +4,8 @@
 
 in vec3 v_place, v_normal;
 uniform float u_albedo, u_fog;
+uniform float u_height;                 // of the picture [pixels]
+uniform vec2 u_pixels;                  // size of the picture
 out vec4 o_colour;
 
 void main() {
@@ -13,7 +15,8 @@ void main() {
     if (u_fog > 0.0) {
         colour *= 0.92 + 0.16 * fractal_noise(v_place.xz * 90.0);
         float distance_from_stage = length(v_place.xz);
-        colour = mix(colour, backdrop(-0.25), smoothstep(0.10, 1.5, distance_from_stage));
+        colour = mix(colour, backdrop(gl_FragCoord.xy / u_pixels),
+                     smoothstep(0.10, 1.2, distance_from_stage));
     }
     o_colour = vec4(colour, 1.0);
 }
