@@ -90,7 +90,9 @@ void FilmPass::blur(const PassInput& in, const Texture* fire) {
 void FilmPass::develop(const PassInput& in, const Texture* fire, unsigned target) {
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(empty_.name());
-    blur(in, fire);
+    // quantities are colours to be read, not light to be developed
+    const bool plain = in.params.view.mode != ViewMode::Beauty;
+    if (!plain) blur(in, fire);
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, width_, height_);
     film_.use();
@@ -102,8 +104,7 @@ void FilmPass::develop(const PassInput& in, const Texture* fire, unsigned target
     film_.set("u_bloom", 2);
     film_.set("u_has_fire", fire != nullptr ? 1 : 0);
     film_.set("u_exposure", static_cast<float>(in.params.look.exposure));
-    // quantities are colours to be read, not light to be developed
-    film_.set("u_plain", in.params.view.mode == ViewMode::Beauty ? 0 : 1);
+    film_.set("u_plain", plain ? 1 : 0);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
 }

@@ -66,7 +66,6 @@ void StagePass::draw(const PassInput& in) {
     float_attribute(1, 3, sizeof(SolidVertex), 3 * sizeof(float));
     solid_.use();
     set_lighting(solid_, in);
-    solid_.set("u_height", static_cast<float>(in.height));
     solid_.set("u_pixels",
                Eigen::Vector2f(static_cast<float>(in.width), static_cast<float>(in.height)));
     const auto draw_range = [&](std::size_t first, std::size_t end, float albedo, float fog) {

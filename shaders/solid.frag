@@ -4,8 +4,7 @@
 
 in vec3 v_place, v_normal;
 uniform float u_albedo, u_fog;
-uniform float u_height;                 // of the picture [pixels]
-uniform vec2 u_pixels;                  // size of the picture
+uniform vec2 u_pixels;                  // size of the picture [pixels]
 out vec4 o_colour;
 
 void main() {
