@@ -105,9 +105,11 @@ class Shot {
               preset.render.view.mode == ViewMode::Lattice) {
         const PictureFormat format{size_.width, size_.height, preset.render.shot.fps, several,
                                    metadata(preset, renderer_)};
-        for (const std::string& output : options.outputs) {
+        for (const std::string& output : options.outputs)
             sinks_.push_back(open_sink(output, format));
-        }
+        if (!options.run.verbose) return;
+        std::fprintf(stderr, "%s: %s\n", std::string(context_->name()).c_str(),
+                     renderer_.description().c_str());
     }
 
     // Returns the exit code; what has been drawn until then is complete in any case.
@@ -149,6 +151,8 @@ class Shot {
             if (!options_.run.quiet) std::fprintf(stderr, "%s\n", sink->where().c_str());
         }
         if (!options_.stats.empty()) write_file(options_.stats, stats_.json(world_, preset_));
+        if (options_.run.quiet) return;
+        std::fprintf(stderr, "state hash: %s\n", hash_text(world_.hash()).c_str());
     }
 
     void note(const StepReport& report) {
