@@ -6,44 +6,68 @@
 namespace ember {
 namespace {
 
-constexpr Binding kBindings[] = {
-    {GLFW_KEY_SPACE, false, Action::TogglePlay, "Space", "play, pause"},
-    {GLFW_KEY_RIGHT, false, Action::Step, "Right", "one tick"},
-    {GLFW_KEY_PERIOD, false, Action::Step, ".", "one tick"},
-    {GLFW_KEY_R, false, Action::Restart, "R", "restart"},
-    {GLFW_KEY_V, false, Action::NextView, "V", "next view"},
-    {GLFW_KEY_L, false, Action::ToggleFlames, "L", "flames on, off"},
-    {GLFW_KEY_F, false, Action::HomeCamera, "F", "camera home"},
-    {GLFW_KEY_HOME, false, Action::HomeCamera, "Home", "camera home"},
-    {GLFW_KEY_F1, false, Action::ToggleHelp, "F1", "this sheet"},
-    {GLFW_KEY_B, true, Action::TogglePanel, "Ctrl+B", "panel on, off"},
-    {GLFW_KEY_Q, true, Action::Quit, "Ctrl+Q", "quit"},
+constexpr KeyBinding kKeys[] = {
+    {GLFW_KEY_SPACE, false, false, Action::TogglePlay, "Space", "play or pause"},
+    {GLFW_KEY_RIGHT, false, true, Action::Step, "Right", "one tick forward"},
+    {GLFW_KEY_PERIOD, false, true, Action::Step, ".", "one tick forward"},
+    {GLFW_KEY_R, false, false, Action::Restart, "R", "restart"},
+    {GLFW_KEY_P, false, false, Action::PlaceLighter, "P", "place the lighter by a click"},
+    {GLFW_KEY_V, false, false, Action::NextView, "V", "next view"},
+    {GLFW_KEY_L, false, false, Action::ToggleFlames, "L", "flames on or off"},
+    {GLFW_KEY_F, false, false, Action::HomeCamera, "F", "camera as in the preset"},
+    {GLFW_KEY_HOME, false, false, Action::HomeCamera, "Home", "camera as in the preset"},
+    {GLFW_KEY_F1, false, false, Action::ToggleHelp, "F1", "this sheet"},
+    {GLFW_KEY_F2, false, false, Action::ToggleStatistics, "F2", "statistics on or off"},
+    {GLFW_KEY_B, true, false, Action::TogglePanel, "Ctrl+B", "panel on or off"},
+    {GLFW_KEY_ESCAPE, false, false, Action::Cancel, "Esc", "close this sheet, stop placing"},
+    {GLFW_KEY_Q, true, false, Action::Quit, "Ctrl+Q", "quit"},
 };
 
-constexpr MouseHint kMouse[] = {
-    {"left drag", "orbit"},
-    {"middle drag, Shift + left drag", "pan"},
-    {"wheel", "zoom"},
-    {"Ctrl + click", "put the lighter there"},
-    {"Ctrl + click on a slider", "type a value"},
-    {"right click on a slider", "reset it"},
+constexpr DragBinding kDrags[] = {
+    {GLFW_MOUSE_BUTTON_LEFT, false, false, Drag::Orbit, "drag", "turn around the paper"},
+    {GLFW_MOUSE_BUTTON_LEFT, true, false, Drag::Pan, "Shift + drag", "move the picture"},
+    {GLFW_MOUSE_BUTTON_MIDDLE, false, false, Drag::Pan, "middle drag", "move the picture"},
+    {GLFW_MOUSE_BUTTON_LEFT, false, true, Drag::PlaceLighter, "Ctrl + click or drag",
+     "put the lighter there"},
+};
+
+constexpr MouseHint kHints[] = {
+    {"wheel", "nearer or farther"},
+    {"Ctrl + click on a value", "type it"},
+    {"right click on a value", "reset it"},
+    {"double click on a name", "reset it to the preset"},
 };
 
 }  // namespace
 
-std::span<const Binding> bindings() {
-    return kBindings;
+std::span<const KeyBinding> key_bindings() {
+    return kKeys;
 }
 
-std::optional<Action> action_of(int key, bool control) {
-    for (const Binding& binding : kBindings) {
-        if (binding.key == key && binding.control == control) return binding.action;
+const KeyBinding* find_binding(int key, bool control, bool repeated) {
+    for (const KeyBinding& binding : kKeys) {
+        if (binding.key == key && binding.control == control && (binding.repeats || !repeated)) {
+            return &binding;
+        }
+    }
+    return nullptr;
+}
+
+std::span<const DragBinding> drag_bindings() {
+    return kDrags;
+}
+
+std::optional<Drag> find_drag(int button, bool shift, bool control) {
+    for (const DragBinding& binding : kDrags) {
+        if (binding.button == button && binding.shift == shift && binding.control == control) {
+            return binding.drag;
+        }
     }
     return std::nullopt;
 }
 
 std::span<const MouseHint> mouse_hints() {
-    return kMouse;
+    return kHints;
 }
 
 }  // namespace ember

@@ -2,134 +2,124 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "sim/param_table.h"
-#include "ui/bindings.h"
+#include "ui/overlays.h"
 #include "ui/param_widgets.h"
 
 namespace ember {
 namespace {
 
-// The parameters that the design of the program puts first.
-constexpr const char* kFirst[] = {"paper.grammage", "paper.density", "paper.c_s",
-                                  "shrinkage.factor"};
-constexpr const char* kLighter[] = {"lighter.on", "lighter.x", "lighter.y", "lighter.z"};
+constexpr float kPanelWidth = 25.0f;   // [font sizes]
+constexpr float kLeastGroups = 10.0f;  // [font sizes] height kept for the collapsing groups
+
+// The parameters that the design of the program puts first, always in sight.
+constexpr std::string_view kFirst[] = {"paper.grammage", "paper.density", "paper.c_s",
+                                       "shrinkage.factor"};
+constexpr std::string_view kLighter[] = {"lighter.on", "lighter.x", "lighter.y", "lighter.z"};
+constexpr std::string_view kElsewhere[] = {"paper.grammage",   "paper.density", "paper.c_s",
+                                           "shrinkage.factor", "lighter.on",    "lighter.x",
+                                           "lighter.y",        "lighter.z"};
+// a shot is what `emberleaf render` draws; it changes nothing in the window
+constexpr std::string_view kHidden[] = {"shot"};
+
+// `count` buttons of equal width in one line.
+ImVec2 button_size(int count) {
+    const float gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x;
+    return {(ImGui::GetContentRegionAvail().x - gaps) / static_cast<float>(count), 0};
+}
 
 void transport(const PanelModel& model, PanelRequests& requests) {
-    const float width =
-        (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-    requests.toggle_play = ImGui::Button(model.playing ? "Pause" : "Play", ImVec2(width, 0));
-    ImGui::SameLine();
-    requests.step = ImGui::Button("Step", ImVec2(width, 0));
-    ImGui::SameLine();
-    requests.restart = ImGui::Button("Restart", ImVec2(width, 0));
-}
-
-// Puts the lighter below a lower corner of the hanging sheet, or below the middle of its edge.
-bool lighter_buttons(Params& params) {
-    const SheetParams& sheet = params.sheet;
-    const bool hanging = sheet.pose == SheetPose::Hanging;
-    const double below = sheet.elevation - (hanging ? sheet.height : 0.0) - 0.02;
-    const double half = 0.5 * (hanging ? sheet.width : sheet.height);
-    bool moved = false;
-    const auto offer = [&](const char* text, double x) {
-        if (!ImGui::SmallButton(text)) return;
-        params.lighter.x = x;
-        params.lighter.y = below;
-        params.lighter.z = 0;
-        moved = true;
+    const ImVec2 size = button_size(3);
+    const auto button = [&](const char* text, Action action) {
+        if (ImGui::Button(text, size)) requests.action = action;
     };
-    offer("left corner", -half + 0.005);
+    button(model.playing ? "Pause###play" : "Play###play", Action::TogglePlay);
     ImGui::SameLine();
-    offer("middle", 0.0);
+    button("Step", Action::Step);
     ImGui::SameLine();
-    offer("right corner", half - 0.005);
-    return moved;
+    button("Restart", Action::Restart);
 }
 
-void statistics(const PanelModel& model) {
-    const SessionStats& s = model.stats;
-    ImGui::Text("t = %.2f s   tick %llu", s.time, static_cast<unsigned long long>(s.tick));
-    ImGui::Text("unburnt %lld  burning %lld  burnt %lld", static_cast<long long>(s.unburnt),
-                static_cast<long long>(s.burning), static_cast<long long>(s.burnt_out));
-    ImGui::Text("particles %zu  cuts %lld  hottest %.0f degC", s.particles,
-                static_cast<long long>(s.cuts), s.hottest - 273.15);
-    ImGui::Text("caliper %.0f um  sub-steps %lld", 1e6 * caliper(model.params.paper),
-                static_cast<long long>(s.substeps));
-    ImGui::Text("%.0f ms per picture", model.frame_ms);
-    if (s.dropped > 0) ImGui::TextDisabled("%.1f s slower than real time", s.dropped);
-    if (s.retries > 0) ImGui::TextDisabled("%lld ticks retried", static_cast<long long>(s.retries));
-}
-
-bool rows_by_key(std::span<const char* const> keys, PanelModel& model, const Params& defaults) {
-    bool changed = false;
-    for (const char* key : keys) {
-        const ParamInfo& row = *find_param(sim_param_rows(), key);
-        changed = param_widget(row, &model.params, &model.preset_params, &defaults) || changed;
+void lighter_buttons(const PanelModel& model, PanelRequests& requests) {
+    const ImVec2 third = button_size(3), half = button_size(2);
+    const auto offer = [&](const char* text, LighterSpot spot) {
+        if (ImGui::Button(text, third)) requests.lighter_spot = spot;
+    };
+    offer("Under left", LighterSpot::LeftCorner);
+    ImGui::SameLine();
+    offer("Under middle", LighterSpot::Middle);
+    ImGui::SameLine();
+    offer("Under right", LighterSpot::RightCorner);
+    const ImVec4 colour =
+        ImGui::GetStyleColorVec4(model.placing ? ImGuiCol_ButtonActive : ImGuiCol_Button);
+    ImGui::PushStyleColor(ImGuiCol_Button, colour);
+    if (ImGui::Button(model.placing ? "Click the paper###place" : "Place by a click###place",
+                      half)) {
+        requests.action = Action::PlaceLighter;
     }
-    return changed;
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    ImGui::BeginDisabled(model.stats.lighter_lit);
+    requests.light_now = ImGui::Button("Light it now", half);
+    ImGui::EndDisabled();
+}
+
+bool rows_by_key(std::span<const std::string_view> keys, const ParamObjects& objects) {
+    bool apply = false;
+    for (const std::string_view key : keys) {
+        apply = param_widget(*find_param(sim_param_rows(), key), objects) || apply;
+    }
+    return apply;
 }
 
 void main_panel(PanelModel& model, PanelRequests& requests) {
-    static const Params kDefaults;
-    static const RenderParams kRenderDefaults;
+    const Params defaults;
+    const RenderParams render_defaults;
+    const ParamObjects sim{&model.params, &model.preset_params, &defaults};
+    const ParamObjects render{&model.render, &model.preset_render, &render_defaults};
     ImGui::TextWrapped("%s", model.title.c_str());
     transport(model, requests);
-    if (!model.message.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.45f, 0.35f, 1.0f));
-        ImGui::TextWrapped("%s", model.message.c_str());
-        ImGui::PopStyleColor();
-    }
-    ImGui::Separator();
-    bool changed = rows_by_key(kFirst, model, kDefaults);
-    ImGui::TextDisabled("lighter");
-    changed = rows_by_key(kLighter, model, kDefaults) || changed;
-    changed = lighter_buttons(model.params) || changed;
-    ImGui::Separator();
-    statistics(model);
-    ImGui::Separator();
-    ImGui::TextDisabled("everything");
-    changed = param_groups(bind(model.params), &model.preset_params, &kDefaults) || changed;
-    param_groups(bind(model.render), &model.preset_render, &kRenderDefaults);
-    ImGui::TextDisabled("F1 shows all keys");
-    requests.params_changed = changed;
-}
-
-void help_sheet(bool& open) {
-    const ImVec2 centre = ImGui::GetMainViewport()->GetCenter();
-    ImGui::SetNextWindowPos(centre, ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    const ImGuiWindowFlags flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
-    if (ImGui::Begin("Keys and mouse", &open, flags)) {
-        const float column = ImGui::GetFontSize() * 15.0f;
-        for (const Binding& binding : bindings()) {
-            ImGui::TextUnformatted(binding.keys);
-            ImGui::SameLine(column);
-            ImGui::TextUnformatted(binding.text);
-        }
-        ImGui::Separator();
-        for (const MouseHint& hint : mouse_hints()) {
-            ImGui::TextUnformatted(hint.gesture);
-            ImGui::SameLine(column);
-            ImGui::TextUnformatted(hint.text);
-        }
-    }
-    ImGui::End();
+    ImGui::Spacing();
+    bool apply = rows_by_key(kFirst, sim);
+    ImGui::Spacing();
+    ImGui::TextDisabled(model.stats.lighter_lit ? "Lighter, burning" : "Lighter, out");
+    apply = rows_by_key(kLighter, sim) || apply;
+    lighter_buttons(model, requests);
+    ImGui::Spacing();
+    ImGui::TextDisabled("Everything else");
+    const float height =
+        std::max(ImGui::GetContentRegionAvail().y, kLeastGroups * ImGui::GetFontSize());
+    ImGui::BeginChild("groups", ImVec2(0, height));
+    apply = param_groups(sim_param_rows(), sim, kElsewhere, kHidden) || apply;
+    // what is only looked at differently needs no world to agree
+    static_cast<void>(param_groups(render_param_rows(), render, kElsewhere, kHidden));
+    ImGui::EndChild();
+    requests.apply_params = apply;
 }
 
 }  // namespace
 
+float panel_width(const PanelModel& model) {
+    const float size = ImGui::GetIO().Fonts->Fonts[0]->FontSize;
+    return model.show_panel ? std::min(kPanelWidth * size, 0.5f * ImGui::GetIO().DisplaySize.x) : 0;
+}
+
 PanelRequests draw_panels(PanelModel& model) {
     PanelRequests requests;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float width = panel_width(model);
     if (model.show_panel) {
-        const ImVec2 display = ImGui::GetIO().DisplaySize;
-        ImGui::SetNextWindowPos(ImVec2(0, 0));
-        ImGui::SetNextWindowSize(ImVec2(ImGui::GetFontSize() * 22.0f, display.y));
+        ImGui::SetNextWindowPos(ImVec2(display.x - width, 0));
+        ImGui::SetNextWindowSize(ImVec2(width, display.y));
         const ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                       ImGuiWindowFlags_NoBringToFrontOnFocus;
         if (ImGui::Begin("emberleaf", nullptr, flags)) main_panel(model, requests);
         ImGui::End();
     }
-    if (model.show_help) help_sheet(model.show_help);
+    draw_overlays(model, display.x - width);
     return requests;
 }
 

@@ -1,155 +1,219 @@
 #include "ui/param_widgets.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string>
+
+#include "ui/param_text.h"
 
 namespace ember {
 namespace {
 
-// What a slider covers: what has been tried, or all that is allowed where that is one value.
-ParamRange slider_range(const ParamInfo& row, double value) {
-    ParamRange range = row.tested.min < row.tested.max ? row.tested : row.hard;
-    range.min = std::min(range.min, value);
-    range.max = std::max(range.max, value);
-    return range;
-}
+constexpr float kLabelWidth = 10.5f;  // [font sizes]
+constexpr float kTooltipWidth = 24.0f;
+constexpr float kTooltipDelay = 0.35f;  // [s]
 
-bool real_widget(const ParamInfo& row, void* object) {
-    double value = row.shown(object);
-    const ParamRange range = slider_range(row, value);
-    // a percent sign of the unit must not be taken for a format
-    std::string unit(row.unit.name);
-    if (unit == "%") unit = "%%";
-    const std::string format = "%.4g " + unit;
-    const bool logarithmic = row.scale == ParamScale::Logarithmic;
-    const ImGuiSliderFlags flags =
-        ImGuiSliderFlags_NoRoundToFormat | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+bool real_widget(const ParamInfo& row, const ParamObjects& o) {
+    double value = without_noise(row.shown(o.edited));
+    const ParamRange range = slider_range(row, row.shown(o.preset));
+    const ImGuiSliderFlags logarithmic =
+        row.scale == ParamScale::Logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
     if (!ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &range.min, &range.max,
-                             format.c_str(), flags)) {
+                             value_format(row).c_str(),
+                             ImGuiSliderFlags_NoRoundToFormat | logarithmic)) {
         return false;
     }
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) value = tidy(row, range, value);
     // a typed value may leave the slider, but never what is allowed
-    row.set_shown(object, std::clamp(value, row.hard.min, row.hard.max));
+    row.set_shown(o.edited, std::clamp(value, row.hard.min, row.hard.max));
     return true;
 }
 
-bool integer_widget(const ParamInfo& row, void* object) {
-    int value = static_cast<int>(row.get(object));
-    if (!ImGui::InputInt("##value", &value, 1, 8, ImGuiInputTextFlags_EnterReturnsTrue)) {
+bool integer_widget(const ParamInfo& row, const ParamObjects& o) {
+    const ParamRange range = slider_range(row, row.get(o.preset));
+    auto value = static_cast<std::int64_t>(row.get(o.edited));
+    const auto least = static_cast<std::int64_t>(range.min);
+    const auto most = static_cast<std::int64_t>(range.max);
+    if (!ImGui::SliderScalar("##value", ImGuiDataType_S64, &value, &least, &most,
+                             value_format(row).c_str())) {
         return false;
     }
-    row.set(object, std::clamp(static_cast<double>(value), row.hard.min, row.hard.max));
+    row.set(o.edited, std::clamp(static_cast<double>(value), row.hard.min, row.hard.max));
     return true;
 }
 
-bool choice_widget(const ParamInfo& row, void* object) {
-    const auto present = static_cast<std::size_t>(row.get(object));
-    bool changed = false;
-    if (!ImGui::BeginCombo("##value", std::string(row.choices[present]).c_str())) return false;
+bool choice_widget(const ParamInfo& row, const ParamObjects& o) {
+    if (!ImGui::BeginCombo("##value", shown_value(row, o.edited).c_str())) return false;
+    const double before = row.get(o.edited);
     for (std::size_t i = 0; i < row.choices.size(); ++i) {
-        if (ImGui::Selectable(std::string(row.choices[i]).c_str(), i == present) && i != present) {
-            row.set(object, static_cast<double>(i));
-            changed = true;
-        }
+        const auto choice = static_cast<double>(i);
+        ImGui::PushID(static_cast<int>(i));
+        std::string name(row.choices[i]);
+        std::ranges::replace(name, '_', ' ');
+        if (ImGui::Selectable(name.c_str(), choice == before)) row.set(o.edited, choice);
+        ImGui::PopID();
     }
     ImGui::EndCombo();
-    return changed;
+    return row.get(o.edited) != before;
 }
 
-bool toggle_widget(const ParamInfo& row, void* object) {
-    bool value = row.get(object) != 0;
+bool toggle_widget(const ParamInfo& row, const ParamObjects& o) {
+    bool value = row.get(o.edited) != 0;
     if (!ImGui::Checkbox("##value", &value)) return false;
-    row.set(object, value ? 1.0 : 0.0);
+    row.set(o.edited, value ? 1.0 : 0.0);
     return true;
 }
 
-bool value_widget(const ParamInfo& row, void* object) {
+// Draws the widget of the row's kind; returns whether the copy is to be applied.
+bool value_widget(const ParamInfo& row, const ParamObjects& objects) {
+    const bool live = row.applies == ParamApplies::Live;
     switch (row.kind) {
-        case ParamKind::Real:
-            return real_widget(row, object);
-        case ParamKind::Integer:
-            return integer_widget(row, object);
-        case ParamKind::Choice:
-            return choice_widget(row, object);
         case ParamKind::Toggle:
-            return toggle_widget(row, object);
+            return toggle_widget(row, objects);
+        case ParamKind::Choice:
+            return choice_widget(row, objects);
+        case ParamKind::Integer: {
+            const bool changed = integer_widget(row, objects);
+            return live ? changed : ImGui::IsItemDeactivatedAfterEdit();
+        }
+        case ParamKind::Real: {
+            const bool changed = real_widget(row, objects);
+            return live ? changed : ImGui::IsItemDeactivatedAfterEdit();
+        }
     }
     return false;
 }
 
-void tooltip(const ParamInfo& row) {
-    if (!ImGui::IsItemHovered()) return;
+// Beside the panel, so that it hides no other row; after a moment, so that it does not flicker.
+void tooltip(const ParamInfo& row, const ParamObjects& o) {
+    if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
+    if (ImGui::GetCurrentContext()->HoveredIdTimer < kTooltipDelay) return;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float edge = ImGui::GetCurrentWindow()->RootWindow->Pos.x;
+    const float top = ImGui::GetItemRectMin().y;
+    const float height = ImGui::GetMainViewport()->Size.y;
+    // rows of the lower half grow upwards
+    const bool low = top > 0.6f * height;
+    ImGui::SetNextWindowPos(ImVec2(edge - gap, low ? ImGui::GetItemRectMax().y : top),
+                            ImGuiCond_Always, ImVec2(1.0f, low ? 1.0f : 0.0f));
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
-    ImGui::TextUnformatted(std::string(row.key).c_str());
-    if (!row.symbol.empty()) {
-        ImGui::SameLine();
-        ImGui::TextDisabled("%s in the paper", std::string(row.symbol).c_str());
-    }
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * kTooltipWidth);
     ImGui::TextUnformatted(std::string(row.help).c_str());
-    if (row.kind == ParamKind::Real) {
-        ImGui::TextDisabled("tried from %g to %g %s", row.tested.min, row.tested.max,
-                            std::string(row.unit.name).c_str());
+    const bool number = row.kind == ParamKind::Real || row.kind == ParamKind::Integer;
+    if (number) {
+        ImGui::TextDisabled("tried: %s", shown_range(row, row.tested).c_str());
+        ImGui::TextDisabled("possible: %s", shown_range(row, row.hard).c_str());
     }
-    ImGui::TextDisabled(
-        "%s. %s", std::string(row.source).c_str(),
-        row.applies == ParamApplies::Live ? "Acts at once." : "Restarts the scene.");
+    ImGui::TextDisabled("preset: %s, default: %s", shown_value(row, o.preset).c_str(),
+                        shown_value(row, o.defaults).c_str());
+    std::string origin = std::string(row.key);
+    if (!row.symbol.empty()) origin += ", in the paper " + std::string(row.symbol);
+    origin += " (" + std::string(row.source) + ")";
+    ImGui::TextDisabled("%s", origin.c_str());
+    ImGui::TextUnformatted(row.applies == ParamApplies::Live ? "Acts at once."
+                                                             : "Restarts the scene.");
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
 
-bool reset_menu(const ParamInfo& row, void* object, const void* preset, const void* defaults) {
+bool reset_menu(const ParamInfo& row, const ParamObjects& o) {
+    if (!ImGui::BeginPopup("menu")) return false;
     bool changed = false;
-    if (!ImGui::BeginPopupContextItem("reset")) return false;
-    const auto offer = [&](const char* text, const void* from) {
-        if (!ImGui::MenuItem(text, nullptr, false, row.get(object) != row.get(from))) return;
-        row.set(object, row.get(from));
+    const auto offer = [&](const std::string& text, double value) {
+        if (!ImGui::MenuItem(text.c_str(), nullptr, false, row.get(o.edited) != value)) return;
+        row.set(o.edited, value);
         changed = true;
     };
-    offer("Reset to the preset", preset);
-    offer("Reset to the built-in default", defaults);
+    offer("Reset to the preset: " + shown_value(row, o.preset), row.get(o.preset));
+    offer("Reset to the default: " + shown_value(row, o.defaults), row.get(o.defaults));
+    if (std::isinf(row.hard.max)) offer("No limit", std::numeric_limits<double>::infinity());
     ImGui::EndPopup();
     return changed;
 }
 
-}  // namespace
-
-bool param_widget(const ParamInfo& row, void* object, const void* preset, const void* defaults) {
-    const std::string id(row.key);
-    ImGui::PushID(id.c_str());
-    const bool edited = row.get(object) != row.get(preset);
-    std::string label(row.name());
-    if (label != row.symbol) std::replace(label.begin(), label.end(), '_', ' ');  // c_s stays c_s
+// The name, with a dot when it differs from the preset, and a sign when a change restarts.
+bool label(const ParamInfo& row, const ParamObjects& o) {
+    const float size = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool edited = row.get(o.edited) != row.get(o.preset);
+    ImGui::InvisibleButton("label", ImVec2(size * kLabelWidth, height));
+    const bool reset = edited && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
+    if (reset) row.set(o.edited, row.get(o.preset));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float middle = corner.y + 0.5f * height;
+    const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
     if (edited) {
-        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
+        list.AddCircleFilled(ImVec2(corner.x + 0.2f * size, middle), 0.2f * size,
+                             ImGui::GetColorU32(ImGuiCol_CheckMark));
     }
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label.c_str());
-    if (edited) ImGui::PopStyleColor();
-    tooltip(row);
-    bool changed = reset_menu(row, object, preset, defaults);
-    ImGui::SameLine(ImGui::GetFontSize() * 8.5f);
-    ImGui::SetNextItemWidth(-1.0f);
-    changed = value_widget(row, object) || changed;
-    tooltip(row);
-    ImGui::PopID();
-    return changed;
+    list.AddText(ImVec2(corner.x + 0.7f * size, middle - 0.5f * size),
+                 ImGui::GetColorU32(ImGuiCol_Text), label_text(row).c_str());
+    if (row.applies == ParamApplies::Rebuild) {
+        const ImVec2 centre(corner.x + (kLabelWidth - 0.6f) * size, middle);
+        list.PathArcTo(centre, 0.28f * size, -0.9f, 4.2f, 12);
+        list.PathStroke(faint, 0, 0.09f * size);
+        const ImVec2 tip(centre.x + 0.17f * size, centre.y - 0.22f * size);
+        list.AddTriangleFilled(ImVec2(tip.x - 0.16f * size, tip.y - 0.08f * size),
+                               ImVec2(tip.x + 0.16f * size, tip.y - 0.12f * size),
+                               ImVec2(tip.x + 0.08f * size, tip.y + 0.2f * size), faint);
+    }
+    return reset;
 }
 
-bool param_groups(const ParamBinding& binding, const void* preset, const void* defaults) {
-    bool changed = false, open = false;
+bool differs(std::span<const ParamInfo> rows, std::string_view group, const ParamObjects& o) {
+    return std::ranges::any_of(rows, [&](const ParamInfo& row) {
+        return row.group() == group && row.get(o.edited) != row.get(o.preset);
+    });
+}
+
+}  // namespace
+
+double seconds_until_tooltip() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    const bool waiting = context.HoveredId != 0 && context.HoveredIdTimer < kTooltipDelay;
+    return waiting ? double(kTooltipDelay - context.HoveredIdTimer)
+                   : std::numeric_limits<double>::infinity();
+}
+
+bool param_widget(const ParamInfo& row, const ParamObjects& objects) {
+    ImGui::PushID(std::string(row.key).c_str());
+    bool apply = label(row, objects);
+    tooltip(row, objects);
+    ImGui::OpenPopupOnItemClick("menu");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    apply = value_widget(row, objects) || apply;
+    tooltip(row, objects);
+    ImGui::OpenPopupOnItemClick("menu");
+    apply = reset_menu(row, objects) || apply;
+    ImGui::PopID();
+    return apply;
+}
+
+bool param_groups(std::span<const ParamInfo> rows, const ParamObjects& objects,
+                  std::span<const std::string_view> elsewhere,
+                  std::span<const std::string_view> hidden) {
+    bool apply = false, open = false;
     std::string_view group;
-    for (const ParamInfo& row : binding.rows) {
+    for (const ParamInfo& row : rows) {
+        if (std::ranges::count(hidden, row.group()) > 0) continue;
         if (row.group() != group) {
             group = row.group();
-            open = ImGui::CollapsingHeader(std::string(group).c_str());
+            const bool edited = differs(rows, group, objects);
+            const ImU32 colour = ImGui::GetColorU32(edited ? ImGuiCol_CheckMark : ImGuiCol_Text);
+            ImGui::PushStyleColor(ImGuiCol_Text, colour);
+            open = ImGui::CollapsingHeader(group_text(group).c_str());
+            ImGui::PopStyleColor();
         }
-        if (open) changed = param_widget(row, binding.object, preset, defaults) || changed;
+        if (!open || std::ranges::count(elsewhere, row.key) > 0) continue;
+        apply = param_widget(row, objects) || apply;
     }
-    return changed;
+    return apply;
 }
 
 }  // namespace ember

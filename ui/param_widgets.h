@@ -8,11 +8,25 @@
 
 namespace ember {
 
-/// Draws the widget of `row` on `object` (a copy that the caller applies). `preset` and `defaults`
-/// are objects of the same kind to compare with and to reset to. Returns whether it was changed.
-bool param_widget(const ParamInfo& row, void* object, const void* preset, const void* defaults);
+/// What a widget edits, and what it is compared with and reset to; three objects of one kind.
+struct ParamObjects {
+    void* edited;  ///< a copy that the caller applies
+    const void* preset;
+    const void* defaults;
+};
 
-/// Widgets of every row of a table, a collapsing header for each group.
-bool param_groups(const ParamBinding& binding, const void* preset, const void* defaults);
+/// Whether the edited copy is to be applied: live rows with every movement of the hand, rows that
+/// restart the scene when the hand lets go.
+[[nodiscard]] bool param_widget(const ParamInfo& row, const ParamObjects& objects);
+
+/// Widgets of every row of a table but those whose keys are in `elsewhere`, under a collapsing
+/// header for each group; groups in `hidden` are left out. Returns whether to apply the copy.
+[[nodiscard]] bool param_groups(std::span<const ParamInfo> rows, const ParamObjects& objects,
+                                std::span<const std::string_view> elsewhere,
+                                std::span<const std::string_view> hidden);
+
+/// Time until a tooltip is due under the resting mouse [s], +inf when none is: a window that sleeps
+/// while nothing moves must wake up for it.
+[[nodiscard]] double seconds_until_tooltip();
 
 }  // namespace ember

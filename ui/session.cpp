@@ -1,13 +1,55 @@
 #include "ui/session.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <stdexcept>
+#include <cmath>
+#include <exception>
+#include <sstream>
+
+#include "app/preset_io/parameter_value.h"
+#include "sim/param_table.h"
 
 namespace ember {
+namespace {
+
+// A value may stand a rounding error outside its range, because units convert.
+bool in_range(const ParamInfo& row, double shown) {
+    const auto slack = [](double bound) {
+        return std::isfinite(bound) ? 1e-9 * std::abs(bound) : 0;
+    };
+    const ParamRange range{row.hard.min - slack(row.hard.min), row.hard.max + slack(row.hard.max)};
+    return range.contains(shown);
+}
+
+// The first value that its row does not allow, as a sentence; empty when there is none.
+std::string range_error(const Params& params) {
+    for (const ParamInfo& row : sim_param_rows()) {
+        if (in_range(row, row.shown(&params))) continue;
+        return std::string(row.key) + ": expected " + expected(row) + ", got " +
+               value_text(row, &params);
+    }
+    return {};
+}
+
+bool same(const Params& a, const Params& b) {
+    return std::ranges::all_of(sim_param_rows(),
+                               [&](const ParamInfo& row) { return row.get(&a) == row.get(&b); });
+}
+
+std::string failure_text(const StepReport& report) {
+    std::ostringstream text;
+    text << "Stopped at " << report.time << " s in stage "
+         << kStageNames[static_cast<std::size_t>(report.stage)];
+    if (report.node != kNone) text << ", sheet " << report.sheet << ", node " << report.node;
+    text << ": " << report.reason << ". Change a parameter or restart.";
+    return text.str();
+}
+
+}  // namespace
 
 Session::Session(const Params& params, int threads)
-    : world_(make_world(params, threads)), threads_(threads) {}
+    : Session(make_world(params, threads), threads) {}
+
+Session::Session(World world, int threads) : world_(std::move(world)), threads_(threads) {}
 
 void Session::play() {
     if (!stopped_) playing_ = true;
@@ -15,14 +57,10 @@ void Session::play() {
 
 bool Session::tick() {
     const StepReport report = world_.step();
+    ++revision_;
     substeps_ = report.counters.substeps;
     if (report.ok()) return true;
-    char text[400];
-    std::snprintf(text, sizeof text, "stopped at %.3f s in stage %s (sheet %d, node %d): %s",
-                  report.time,
-                  std::string(kStageNames[static_cast<std::size_t>(report.stage)]).c_str(),
-                  report.sheet, report.node, report.reason.c_str());
-    message_ = text;
+    message_ = failure_text(report);
     playing_ = false;
     stopped_ = true;
     return false;
@@ -33,39 +71,62 @@ void Session::step_once() {
     if (!stopped_) tick();
 }
 
-void Session::restart() {
-    world_ = make_world(world_.params(), threads_);
+void Session::rebuild(const Params& params) {
+    world_ = make_world(params, threads_);
+    ++revision_;
     due_ = dropped_ = 0;
+    substeps_ = 0;
     stopped_ = false;
     message_.clear();
 }
 
-void Session::advance(double seconds) {
-    if (!playing_) return;
-    due_ += seconds;
-    const double dt = world_.tick_duration();
-    for (int i = 0; i < kMostTicks && due_ >= dt; ++i) {
-        due_ -= dt;
-        if (!tick()) return;
-    }
-    if (due_ >= dt) {
-        dropped_ += due_;
-        due_ = 0;
-    }
+void Session::restart() {
+    rebuild(Params(world_.params()));
 }
 
-void Session::apply(const Params& params) {
-    if (world_.apply(params)) {
-        message_.clear();
-        return;
+int Session::advance(double seconds, const std::function<bool()>& may_continue) {
+    if (!playing_) return 0;
+    due_ += seconds;
+    const double dt = world_.tick_duration();
+    int ticks = 0;
+    bool time_left = true;
+    while (due_ >= dt && ticks < kMostTicks && time_left) {
+        due_ -= dt;
+        if (!tick()) return ticks;
+        ++ticks;
+        time_left = !may_continue || may_continue();
     }
-    try {
-        world_ = make_world(params, threads_);
-        due_ = dropped_ = 0;
+    if (due_ >= dt) {
+        // keep the fraction of a tick, so that ticks come at an even pace when there is time again
+        const double whole = std::floor(due_ / dt) * dt;
+        dropped_ += whole;
+        due_ -= whole;
+    }
+    return ticks;
+}
+
+double Session::until_next_tick() const {
+    return std::max(0.0, world_.tick_duration() - due_);
+}
+
+EditOutcome Session::apply(const Params& params) {
+    if (same(params, world_.params())) return EditOutcome::Unchanged;
+    if (std::string error = range_error(params); !error.empty()) {
+        message_ = std::move(error);
+        return EditOutcome::Refused;
+    }
+    if (world_.apply(params)) {
+        ++revision_;
         stopped_ = false;
         message_.clear();
-    } catch (const std::invalid_argument& e) {
+        return EditOutcome::Live;
+    }
+    try {
+        rebuild(params);
+        return EditOutcome::Restarted;
+    } catch (const std::exception& e) {
         message_ = e.what();
+        return EditOutcome::Refused;
     }
 }
 
@@ -78,14 +139,19 @@ SessionStats Session::stats() const {
     stats.cuts = state.totals.cuts;
     stats.retries = state.totals.retries;
     stats.substeps = substeps_;
+    stats.caliper = caliper(params().paper);
     stats.dropped = dropped_;
+    stats.lighter_lit = world_.view().lighter_lit;
     for (const SheetState& sheet : state.sheets) {
         for (std::size_t n = 0; n < sheet.glue.size(); ++n) {
             stats.unburnt += sheet.phase[n] == Phase::Unburnt ? 1 : 0;
             stats.burning += sheet.phase[n] == Phase::Burning ? 1 : 0;
             stats.burnt_out += sheet.phase[n] == Phase::BurntOut ? 1 : 0;
-            stats.hottest = std::max(stats.hottest, sheet.temperature[n]);
         }
+        for (const double t : sheet.temperature)
+            stats.hottest = std::max(stats.hottest, t);
+        for (const double m : sheet.mass)
+            stats.mass += m;
     }
     return stats;
 }

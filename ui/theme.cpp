@@ -42,7 +42,7 @@ void apply_theme(float scale) {
     const auto grey = [](float v, float a = 1.0f) { return ImVec4(v, v, v * 1.05f, a); };
     const auto with_alpha = [&](float a) { return ImVec4(accent.x, accent.y, accent.z, a); };
     ImVec4* c = style.Colors;
-    c[ImGuiCol_WindowBg] = grey(0.085f, 0.96f);
+    c[ImGuiCol_WindowBg] = grey(0.085f);
     c[ImGuiCol_PopupBg] = grey(0.11f, 0.98f);
     c[ImGuiCol_FrameBg] = grey(0.16f);
     c[ImGuiCol_FrameBgHovered] = grey(0.21f);
@@ -59,6 +59,16 @@ void apply_theme(float scale) {
     c[ImGuiCol_Text] = grey(0.88f);
     c[ImGuiCol_TextDisabled] = grey(0.50f);
     c[ImGuiCol_Separator] = grey(0.22f);
+    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = grey(0.15f);
+    c[ImGuiCol_TextSelectedBg] = with_alpha(0.35f);
+}
+
+ImVec4 error_colour() {
+    return {1.0f, 0.45f, 0.35f, 1.0f};
+}
+
+ImVec4 warning_colour() {
+    return {0.95f, 0.78f, 0.40f, 1.0f};
 }
 
 }  // namespace ember

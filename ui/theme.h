@@ -1,9 +1,14 @@
 // The look of the panels.
 #pragma once
 
+struct ImVec4;
+
 namespace ember {
 
 /// Sets ImGui's colours, spacing and font for a display scale (1: 96 dpi).
 void apply_theme(float scale);
+
+[[nodiscard]] ImVec4 error_colour();
+[[nodiscard]] ImVec4 warning_colour();
 
 }  // namespace ember

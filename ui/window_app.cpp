@@ -1,256 +1,315 @@
 #include "ui/window_app.h"
 
-#include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <memory>
-#include <string>
+#include <exception>
 
 #include "render/camera.h"
 #include "render/renderer.h"
-#include "ui/bindings.h"
+#include "sim/param_table.h"
 #include "ui/imgui_painter.h"
+#include "ui/kept_picture.h"
 #include "ui/panels.h"
-#include "ui/session.h"
-#include "ui/theme.h"
+#include "ui/param_widgets.h"
+#include "ui/window.h"
 
 namespace ember {
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720;
-constexpr int kFramesAfterEvent = 3;      // ImGui needs a few to settle
-constexpr double kIdleWait = 0.5;         // [s]
-constexpr double kOrbitPerPixel = 0.008;  // [rad]
+constexpr int kWidth = 1280, kHeight = 720;  // [points]
+constexpr int kFramesAfterEvent = 3;         // ImGui needs a few to settle
+constexpr double kLongestSleep = 10.0;       // [s]
+constexpr double kTickBudget = 0.012;        // [s] of a picture's time that ticks may take
+constexpr double kOrbitPerPoint = 0.008;     // [rad]
+constexpr double kZoomPerNotch = 1.15;       // [1]
+constexpr double kTitleEvery = 0.25;         // [s]
 
-// GLFW for as long as it lives, with the window in it.
-class Window {
-  public:
-    Window() {
-        glfwSetErrorCallback([](int, const char* text) { last_error() = text; });
-        if (glfwInit() != GLFW_TRUE) throw RenderError("no window system: " + last_error());
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-        handle_ = glfwCreateWindow(kWidth, kHeight, "emberleaf", nullptr, nullptr);
-        if (handle_ == nullptr) {
-            const std::string reason = last_error();
-            glfwTerminate();
-            throw RenderError("no window with OpenGL 3.3: " + reason);
-        }
-        glfwMakeContextCurrent(handle_);
-        glfwSwapInterval(1);
-    }
-    ~Window() {
-        glfwDestroyWindow(handle_);
-        glfwTerminate();
-    }
-    Window(const Window&) = delete;
-    Window& operator=(const Window&) = delete;
-    [[nodiscard]] GLFWwindow* handle() const { return handle_; }
-
-  private:
-    static std::string& last_error() {
-        static std::string text = "unknown reason";
-        return text;
-    }
-    GLFWwindow* handle_ = nullptr;
-};
-
-// ImGui for as long as it lives.
-class Gui {
-  public:
-    explicit Gui(GLFWwindow* window) {
-        ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr;  // nothing is left lying in the current folder
-        float scale_x = 1, scale_y = 1;
-        glfwGetWindowContentScale(window, &scale_x, &scale_y);
-        apply_theme(scale_x);
-        ImGui_ImplGlfw_InitForOpenGL(window, true);
-    }
-    ~Gui() {
-        ImGui_ImplGlfw_Shutdown();
-        ImGui::DestroyContext();
-    }
-    Gui(const Gui&) = delete;
-    Gui& operator=(const Gui&) = delete;
+// The part of the window that shows the paper, in points from the upper left corner.
+struct Picture {
+    double width = 1, height = 1;
+    [[nodiscard]] int columns() const { return static_cast<int>(width); }
+    [[nodiscard]] int rows() const { return static_cast<int>(height); }
 };
 
 class App {
   public:
-    App(Window& window, const WindowOptions& options)
+    App(const Window& window, const WindowOptions& options)
         : window_(window.handle()),
           session_(options.params, options.threads),
           renderer_(glfwGetProcAddress) {
         model_.params = model_.preset_params = options.params;
         model_.render = model_.preset_render = options.render;
         model_.title = options.info.title;
-        glfwSetWindowUserPointer(window_, this);
+        if (model_.title.empty()) model_.title = options.info.path.stem().string();
+        model_.warnings = plausibility_warnings(options.params);
         session_.play();
     }
 
-    void key(int key, int mods) {
-        busy_frames_ = kFramesAfterEvent;
+    /// A key has gone down; it acts with the next frame.
+    void press(int key, bool control, bool repeated) {
         if (ImGui::GetIO().WantTextInput) return;
-        if (const auto action = action_of(key, (mods & GLFW_MOD_CONTROL) != 0)) act(*action);
+        if (const KeyBinding* binding = find_binding(key, control, repeated)) {
+            pressed_.push_back(binding->action);
+        }
     }
 
     void run() {
         double last = glfwGetTime();
         while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
-            if (session_.playing() || busy_frames_ > 0) {
-                glfwPollEvents();
-            } else {
-                glfwWaitEventsTimeout(kIdleWait);
-                busy_frames_ = kFramesAfterEvent - 1;
-            }
+            wait();
             const double now = glfwGetTime();
-            session_.advance(now - last);
-            model_.frame_ms = 0.9 * model_.frame_ms + 100.0 * (now - last);
+            const int ticks = simulate(now - last);
             last = now;
+            const double simulated = glfwGetTime();
+            for (const Action action : std::exchange(pressed_, {}))
+                act(action);
+            if (ticks == 0 && frames_due_ == 0) continue;
+            frames_due_ = std::max(0, frames_due_ - 1);
             frame();
-            if (busy_frames_ > 0) --busy_frames_;
+            speed_.drawn(glfwGetTime() - simulated);
+            show_title();
         }
     }
 
   private:
+    // Sleeps until something happens or a tick is due: a paused window costs nothing.
+    void wait() {
+        if (frames_due_ > 0) return glfwPollEvents();
+        double sleep = std::min(kLongestSleep, seconds_until_tooltip());
+        if (session_.playing()) sleep = std::min(sleep, session_.until_next_tick());
+        if (sleep <= 0) return glfwPollEvents();
+        const double before = glfwGetTime();
+        glfwWaitEventsTimeout(sleep);
+        const bool event = glfwGetTime() - before < 0.95 * sleep;
+        const bool tooltip = !session_.playing() && sleep < kLongestSleep;
+        if (event || tooltip) frames_due_ = kFramesAfterEvent;
+    }
+
+    int simulate(double seconds) {
+        const double begin = glfwGetTime();
+        const double budget = std::max(kTickBudget, 1e-3 * speed_.times().picture_ms);
+        const auto time_left = [&] { return glfwGetTime() - begin < budget; };
+        const int ticks = session_.advance(seconds, time_left);
+        speed_.simulated(ticks, session_.world().tick_duration(), glfwGetTime() - begin);
+        speed_.passed(seconds, session_.playing());
+        return ticks;
+    }
+
     void act(Action action) {
+        frames_due_ = kFramesAfterEvent;
         ViewParams& view = model_.render.view;
         switch (action) {
             case Action::TogglePlay:
-                session_.toggle();
-                break;
+                return session_.toggle();
             case Action::Step:
-                session_.step_once();
-                break;
+                return session_.step_once();
             case Action::Restart:
-                session_.restart();
-                break;
+                return restart();
             case Action::NextView:
-                view.mode = static_cast<ViewMode>((static_cast<int>(view.mode) + 1) % 5);
-                break;
+                return next_view();
             case Action::ToggleFlames:
                 view.flames = !view.flames;
-                break;
+                return;
+            case Action::PlaceLighter:
+                model_.placing = !model_.placing;
+                return;
             case Action::HomeCamera:
                 model_.render.camera = model_.preset_render.camera;
-                break;
+                return;
+            case Action::ToggleStatistics:
+                model_.show_statistics = !model_.show_statistics;
+                return;
             case Action::ToggleHelp:
                 model_.show_help = !model_.show_help;
-                break;
+                return;
             case Action::TogglePanel:
                 model_.show_panel = !model_.show_panel;
-                break;
+                return;
+            case Action::Cancel:
+                model_.show_help = model_.placing = false;
+                return;
             case Action::Quit:
-                glfwSetWindowShouldClose(window_, GLFW_TRUE);
-                break;
+                return glfwSetWindowShouldClose(window_, GLFW_TRUE);
         }
     }
 
-    // Where a click meets the plane of the sheet: upright through the held edge, or level with it.
-    void place_lighter(double x, double y, int width, int height) {
+    void next_view() {
+        const ParamInfo& row = *find_param(render_param_rows(), "view.mode");
+        const double next = row.get(&model_.render) + 1;
+        row.set(&model_.render, next < static_cast<double>(row.choices.size()) ? next : 0);
+    }
+
+    // A lighter that was lit by hand in mid-burn would leave the next burn waiting for it.
+    void restart() {
+        if (lit_by_hand_) model_.params.lighter.start = model_.preset_params.lighter.start;
+        lit_by_hand_ = false;
+        apply();
+        session_.restart();
+    }
+
+    void apply() {
+        if (session_.apply(model_.params) == EditOutcome::Refused) {
+            model_.params = session_.params();  // show what there is
+        }
+        model_.warnings = plausibility_warnings(model_.params);
+    }
+
+    void place_lighter(const Vector3& place) {
+        const WorldView view = session_.world().view();
+        lit_by_hand_ = lit_by_hand_ || !view.lighter_lit;
+        move_lighter(model_.params.lighter, place, view.lighter_lit, view.time);
+        apply();
+    }
+
+    void place_lighter_at(double x, double y, const Picture& picture) {
+        const int width = picture.columns(), height = picture.rows();
         const Camera camera = make_camera(model_.render.camera, width, height);
-        const Eigen::Vector3f ray = ray_through(camera, x, y, width, height);
-        const bool upright = model_.params.sheet.pose == SheetPose::Hanging;
-        const float level = upright ? 0.0f : static_cast<float>(model_.params.sheet.elevation);
-        const int axis = upright ? 2 : 1;
-        if (std::abs(ray[axis]) < 1e-4f) return;
-        const float distance = (level - camera.eye[axis]) / ray[axis];
-        if (!(distance > 0)) return;
-        const Eigen::Vector3f hit = camera.eye + distance * ray;
-        model_.params.lighter.x = hit.x();
-        model_.params.lighter.y = hit.y();
-        model_.params.lighter.z = hit.z();
-        model_.params.lighter.on = true;
-        // lit now, for as long as it was to burn
-        model_.params.lighter.start = session_.world().state().time;
-        session_.apply(model_.params);
+        const Vector3 ray = ray_through(camera, x, y, width, height).cast<double>();
+        const auto hit =
+            pick(session_.world().view(), model_.params.sheet, camera.eye.cast<double>(), ray);
+        if (hit) place_lighter(*hit);
     }
 
-    void mouse() {
-        const ImGuiIO& io = ImGui::GetIO();
-        if (io.WantCaptureMouse) return;
-        CameraParams& camera = model_.render.camera;
-        const double dx = io.MouseDelta.x, dy = io.MouseDelta.y, height = io.DisplaySize.y;
-        const bool left = io.MouseDown[0];
-        if (io.KeyCtrl && io.MouseClicked[0]) {
-            place_lighter(io.MousePos.x, io.MousePos.y, static_cast<int>(io.DisplaySize.x),
-                          static_cast<int>(io.DisplaySize.y));
-        } else if (io.MouseDown[2] || (left && io.KeyShift)) {
-            pan(camera, -dx / height, dy / height);
-        } else if (left && !io.KeyCtrl) {
-            orbit(camera, -kOrbitPerPixel * dx, kOrbitPerPixel * dy);
+    void obey(const PanelRequests& requests) {
+        if (requests.apply_params) apply();
+        if (requests.action) act(*requests.action);
+        const LighterParams& lighter = model_.params.lighter;
+        if (requests.light_now) place_lighter({lighter.x, lighter.y, lighter.z});
+        if (requests.lighter_spot) {
+            const WorldView view = session_.world().view();
+            const auto place = lighter_below(view.sheets.front(), *requests.lighter_spot);
+            if (place) place_lighter(*place);
         }
-        if (io.MouseWheel != 0) zoom(camera, std::pow(1.15, io.MouseWheel));
-        const bool moving = left || io.MouseDown[1] || io.MouseDown[2] || io.MouseWheel != 0;
-        if (moving) busy_frames_ = kFramesAfterEvent;
+    }
+
+    void begin_drag() {
+        const ImGuiIO& io = ImGui::GetIO();
+        for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) {
+            if (!io.MouseClicked[button]) continue;
+            drag_ = find_drag(button, io.KeyShift, io.KeyCtrl);
+            drag_button_ = button;
+            if (model_.placing && button == ImGuiMouseButton_Left) drag_ = Drag::PlaceLighter;
+        }
+    }
+
+    void mouse(const Picture& picture) {
+        const ImGuiIO& io = ImGui::GetIO();
+        CameraParams& camera = model_.render.camera;
+        if (!io.WantCaptureMouse) {
+            begin_drag();
+            if (io.MouseWheel != 0) zoom(camera, std::pow(kZoomPerNotch, double(io.MouseWheel)));
+        }
+        if (!drag_) return;
+        const double dx = double(io.MouseDelta.x), dy = double(io.MouseDelta.y);
+        if (*drag_ == Drag::Orbit) orbit(camera, -kOrbitPerPoint * dx, kOrbitPerPoint * dy);
+        if (*drag_ == Drag::Pan) pan(camera, -dx / picture.height, dy / picture.height);
+        if (*drag_ == Drag::PlaceLighter) {
+            place_lighter_at(double(io.MousePos.x), double(io.MousePos.y), picture);
+        }
+        if (io.MouseDown[drag_button_]) return;
+        if (*drag_ == Drag::PlaceLighter) model_.placing = false;
+        drag_.reset();
     }
 
     void frame() {
         int width = 0, height = 0;
         glfwGetFramebufferSize(window_, &width, &height);
         if (width == 0 || height == 0) return;  // minimised
-        ImGui_ImplGlfw_NewFrame();
-        ImGui::NewFrame();
+        Gui::begin_frame();
         model_.stats = session_.stats();
+        model_.times = speed_.times();
         model_.message = session_.message();
         model_.playing = session_.playing();
-        const PanelRequests requests = draw_panels(model_);
-        if (requests.params_changed) session_.apply(model_.params);
-        if (requests.toggle_play) session_.toggle();
-        if (requests.step) session_.step_once();
-        if (requests.restart) session_.restart();
-        mouse();
-        draw(width, height);
+        obey(draw_panels(model_));
+        const ImGuiIO& io = ImGui::GetIO();
+        const Picture picture{std::max(1.0, double(io.DisplaySize.x - panel_width(model_))),
+                              double(io.DisplaySize.y)};
+        mouse(picture);
+        ImGui::Render();
+        const double scale = double(io.DisplayFramebufferScale.x);
+        draw(static_cast<int>(std::ceil(picture.width * scale)), height);
+        painter_.draw(*ImGui::GetDrawData());
         glfwSwapBuffers(window_);
-        char title[64];
-        std::snprintf(title, sizeof title, "emberleaf %.2f s", model_.stats.time);
-        if (title_ != title) glfwSetWindowTitle(window_, title);
-        title_ = title;
     }
 
+    // The panel is at the right, so that the picture fills the framebuffer from its origin.
     void draw(int width, int height) {
-        const WorldView view = session_.world().view();
-        std::vector<std::vector<SpringSegment>> springs;
-        if (model_.render.view.mode == ViewMode::Lattice) {
-            for (std::size_t s = 0; s < view.sheets.size(); ++s) {
-                springs.push_back(session_.world().springs(s));
+        if (!kept_.holds({session_.revision(), model_.render, width, height})) {
+            const WorldView view = session_.world().view();
+            std::vector<std::vector<SpringSegment>> springs;
+            if (model_.render.view.mode == ViewMode::Lattice) {
+                for (std::size_t s = 0; s < view.sheets.size(); ++s) {
+                    springs.push_back(session_.world().springs(s));
+                }
             }
+            renderer_.draw({&view, springs}, model_.render, width, height, kept_.framebuffer());
         }
-        renderer_.draw({&view, springs}, model_.render, width, height);
-        ImGui::Render();
-        painter_.draw(*ImGui::GetDrawData());
+        kept_.show();
+    }
+
+    void show_title() {
+        const double now = glfwGetTime();
+        if (session_.playing() && now - title_shown_ < kTitleEvery) return;
+        title_shown_ = now;
+        char time[40];
+        std::snprintf(time, sizeof time, " - %.2f s%s", session_.world().state().time,
+                      session_.playing() ? "" : ", paused");
+        std::string title = model_.title + time + " - emberleaf";
+        if (title == title_) return;  // setting it is an event, which would wake the loop again
+        title_ = std::move(title);
+        glfwSetWindowTitle(window_, title_.c_str());
     }
 
     GLFWwindow* window_;
     Session session_;
     PanelModel model_;
     Renderer renderer_;
+    KeptPicture kept_;
     ImguiPainter painter_;
-    int busy_frames_ = kFramesAfterEvent;
+    Speedometer speed_;
+    std::vector<Action> pressed_;
+    std::optional<Drag> drag_;
+    int drag_button_ = 0;
+    bool lit_by_hand_ = false;
+    int frames_due_ = kFramesAfterEvent;
     std::string title_;
+    double title_shown_ = -kTitleEvery;  // [s]
 };
 
-void on_key(GLFWwindow* window, int key, int, int action, int mods) {
+// A letter means what is printed on the key, wherever the keyboard's layout puts it.
+int printed_key(int key, int scancode) {
+    const char* name = glfwGetKeyName(key, scancode);
+    if (name == nullptr || name[0] == '\0' || name[1] != '\0') return key;
+    const auto letter = static_cast<unsigned char>(name[0]);
+    return std::isalpha(letter) != 0 ? std::toupper(letter) : key;
+}
+
+void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     auto* app = static_cast<App*>(glfwGetWindowUserPointer(window));
-    if (app != nullptr && (action == GLFW_PRESS || action == GLFW_REPEAT)) app->key(key, mods);
+    if (app == nullptr || action == GLFW_RELEASE) return;
+    app->press(printed_key(key, scancode), (mods & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT);
 }
 
 }  // namespace
 
 int run_window(const WindowOptions& options) {
     try {
-        Window window;
-        glfwSetKeyCallback(window.handle(), on_key);  // before ImGui, which chains to it
-        const Gui gui(window.handle());
-        App(window, options).run();
+        const Window window(kWidth, kHeight, "emberleaf");
+        glfwSetKeyCallback(window.handle(), on_key);  // before ImGui, which goes on calling it
+        const Gui gui(window);
+        App app(window, options);
+        glfwSetWindowUserPointer(window.handle(), &app);
+        app.run();
+        glfwSetWindowUserPointer(window.handle(), nullptr);
         return 0;
-    } catch (const RenderError& e) {
+    } catch (const std::exception& e) {
         std::fprintf(stderr, "emberleaf: %s\n", e.what());
         return 1;
     }

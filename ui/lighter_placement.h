@@ -1,0 +1,27 @@
+// Where a person wants the lighter: under the paper, or where the mouse points.
+#pragma once
+
+#include <optional>
+
+#include "render/camera.h"
+#include "sim/params.h"
+#include "sim/world_view.h"
+
+namespace ember {
+
+/// Places along the lowest rim of the first sheet, as the viewer sees it.
+enum class LighterSpot { LeftCorner, Middle, RightCorner };
+
+/// The lighter 20 mm below that place of the sheet as it is now [m]; corners are taken 5 mm
+/// inwards. Burnt-out nodes do not count; empty when nothing is left to light.
+[[nodiscard]] std::optional<Vector3> lighter_below(const SheetView& sheet, LighterSpot spot);
+
+/// Where a ray first meets a sheet [m]; failing that, the plane in which the first sheet started,
+/// so that a click beside the paper lands level with it. Empty when it meets neither.
+[[nodiscard]] std::optional<Vector3> pick(const WorldView& world, const SheetParams& sheet,
+                                          const Vector3& eye, const Vector3& direction);
+
+/// Moves the lighter and makes sure that it burns from `now` [s] on unless it does already.
+void move_lighter(LighterParams& lighter, const Vector3& place, bool lit, double now);
+
+}  // namespace ember

@@ -1,0 +1,74 @@
+#include "ui/window.h"
+
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "render/renderer.h"
+#include "ui/theme.h"
+
+namespace ember {
+namespace {
+
+std::string last_error() {
+    const char* text = nullptr;
+    return glfwGetError(&text) != GLFW_NO_ERROR && text != nullptr ? text : "unknown reason";
+}
+
+}  // namespace
+
+Window::Window(int width, int height, const std::string& title) {
+    if (glfwInit() != GLFW_TRUE) throw RenderError("no window can be opened: " + last_error());
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    handle_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (handle_ == nullptr) {
+        const std::string reason = last_error();
+        glfwTerminate();
+        throw RenderError("no window with OpenGL 3.3 can be opened: " + reason);
+    }
+    glfwMakeContextCurrent(handle_);
+    glfwSwapInterval(1);
+}
+
+Window::~Window() {
+    glfwDestroyWindow(handle_);
+    glfwTerminate();
+}
+
+float Window::scale() const {
+    float content = 1, vertical = 1;
+    glfwGetWindowContentScale(handle_, &content, &vertical);
+    int points = 0, pixels = 0, height = 0;
+    glfwGetWindowSize(handle_, &points, &height);
+    glfwGetFramebufferSize(handle_, &pixels, &height);
+    // some systems scale points, others only say how dense the pixels are
+    const bool known = points > 0 && pixels > 0;
+    return known ? content * static_cast<float>(points) / static_cast<float>(pixels) : content;
+}
+
+Gui::Gui(const Window& window) {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;               // nothing is left lying in the current folder
+    io.ConfigInputTextCursorBlink = false;  // a window where nothing moves may sleep
+    apply_theme(window.scale());
+    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+}
+
+void Gui::begin_frame() {
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+Gui::~Gui() {
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+}  // namespace ember
