@@ -79,6 +79,7 @@ TEST(PresetErrors, TheSchemaIsRequiredAndMustBeKnown) {
 
 TEST(PresetErrors, SyntaxErrorsAndDuplicatesHaveAPlaceToo) {
     EXPECT_EQ(problems("schema = 1\n[paper]\ngrammage 80\n").find("p.toml:3:10: error: "), 0u);
+    EXPECT_EQ(problems("schema = 1\n[|paper]\n").find("p.toml:2:2: error: "), 0u);
     const std::string twice = problems("schema = 1\n[paper]\ngrammage = 80\ngrammage = 81\n");
     EXPECT_EQ(twice.find("p.toml:4:"), 0u) << twice;
 }
