@@ -49,7 +49,7 @@ void main() {
     float fine = fractal_noise(v_sheet * vec2(0.55, 0.9) + 17.0);
     float progress = v_state.x;
     float near_front = smoothstep(0.02, 0.35, progress) * (1.0 - smoothstep(1.5, 2.2, progress));
-    progress += near_front * (0.42 * (coarse - 0.5) + 0.30 * (fine - 0.5));
+    progress += near_front * (0.46 * (coarse - 0.5) + 0.09 * (fine - 0.5));
 
     vec4 fibre = texture(u_fibre, v_sheet / 64.0);
     vec3 albedo = look_up(u_albedo, progress / 4.0);
