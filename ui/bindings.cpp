@@ -24,7 +24,8 @@ constexpr KeyBinding kKeys[] = {
 };
 
 constexpr DragBinding kDrags[] = {
-    {GLFW_MOUSE_BUTTON_LEFT, false, false, Drag::Orbit, "drag", "turn around the paper"},
+    {GLFW_MOUSE_BUTTON_LEFT, false, false, Drag::Orbit, "drag the picture",
+     "turn around the paper"},
     {GLFW_MOUSE_BUTTON_LEFT, true, false, Drag::Pan, "Shift + drag", "move the picture"},
     {GLFW_MOUSE_BUTTON_MIDDLE, false, false, Drag::Pan, "middle drag", "move the picture"},
     {GLFW_MOUSE_BUTTON_LEFT, false, true, Drag::PlaceLighter, "Ctrl + click or drag",
@@ -32,7 +33,7 @@ constexpr DragBinding kDrags[] = {
 };
 
 constexpr MouseHint kHints[] = {
-    {"wheel", "nearer or farther"},
+    {"wheel", "nearer or farther away"},
     {"Ctrl + click on a value", "type it"},
     {"right click on a value", "reset it"},
     {"double click on a name", "reset it to the preset"},

@@ -11,6 +11,7 @@ namespace ember {
 namespace {
 
 constexpr double kBelow = 0.020;    // [m]
+constexpr double kGrain = 0.0001;   // [m] nobody aims finer
 constexpr double kInwards = 0.005;  // [m]
 constexpr double kRim = 0.010;      // [m] height of what counts as the lowest rim
 
@@ -90,9 +91,10 @@ std::optional<Vector3> pick(const WorldView& world, const SheetParams& sheet, co
 }
 
 void move_lighter(LighterParams& lighter, const Vector3& place, bool lit, double now) {
-    lighter.x = place.x();
-    lighter.y = place.y();
-    lighter.z = place.z();
+    const auto whole = [](double length) { return std::round(length / kGrain) * kGrain; };
+    lighter.x = whole(place.x());
+    lighter.y = whole(place.y());
+    lighter.z = whole(place.z());
     if (lit) return;
     lighter.on = true;
     lighter.start = now;

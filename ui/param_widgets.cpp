@@ -18,33 +18,52 @@ constexpr float kLabelWidth = 10.5f;  // [font sizes]
 constexpr float kTooltipWidth = 24.0f;
 constexpr float kTooltipDelay = 0.35f;  // [s]
 
-bool real_widget(const ParamInfo& row, const ParamObjects& o) {
-    double value = without_noise(row.shown(o.edited));
-    const ParamRange range = slider_range(row, row.shown(o.preset));
-    const ImGuiSliderFlags logarithmic =
-        row.scale == ParamScale::Logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
-    if (!ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &range.min, &range.max,
-                             value_format(row).c_str(),
-                             ImGuiSliderFlags_NoRoundToFormat | logarithmic)) {
-        return false;
-    }
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) value = tidy(row, range, value);
+// A slider, except that its text is ours: ImGui would show a dragged value before it is rounded.
+// The value goes through `format` only where it is typed.
+template <class Number>
+bool slider(const ParamInfo& row, const ParamObjects& o, ImGuiDataType type, Number& value,
+            Number least, Number most, ImGuiSliderFlags flags) {
+    const ImGuiID id = ImGui::GetID("##value");
+    const bool typing = ImGui::TempInputIsActive(id);
+    if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
+    const bool changed = ImGui::SliderScalar("##value", type, &value, &least, &most,
+                                             value_format(row).c_str(), flags);
+    if (!typing) ImGui::PopStyleColor();
+    if (!changed) return false;
+    const auto number = static_cast<double>(value);
+    const bool dragged = !typing && row.kind == ParamKind::Real;
+    const double wanted = dragged ? tidy(row, {double(least), double(most)}, number) : number;
     // a typed value may leave the slider, but never what is allowed
-    row.set_shown(o.edited, std::clamp(value, row.hard.min, row.hard.max));
+    row.set_shown(o.edited, std::clamp(wanted, row.hard.min, row.hard.max));
     return true;
 }
 
-bool integer_widget(const ParamInfo& row, const ParamObjects& o) {
-    const ParamRange range = slider_range(row, row.get(o.preset));
-    auto value = static_cast<std::int64_t>(row.get(o.edited));
-    const auto least = static_cast<std::int64_t>(range.min);
-    const auto most = static_cast<std::int64_t>(range.max);
-    if (!ImGui::SliderScalar("##value", ImGuiDataType_S64, &value, &least, &most,
-                             value_format(row).c_str())) {
-        return false;
+void slider_text(const ParamInfo& row, const ParamObjects& o) {
+    if (ImGui::TempInputIsActive(ImGui::GetID("##value"))) return;
+    const std::string text = shown_value(row, o.edited);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddText(
+        ImVec2(0.5f * (least.x + most.x - size.x), 0.5f * (least.y + most.y - size.y)),
+        ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+}
+
+bool number_widget(const ParamInfo& row, const ParamObjects& o) {
+    const ParamRange range = slider_range(row, row.shown(o.preset));
+    bool changed = false;
+    if (row.kind == ParamKind::Integer) {
+        auto value = static_cast<std::int64_t>(row.get(o.edited));
+        changed = slider(row, o, ImGuiDataType_S64, value, static_cast<std::int64_t>(range.min),
+                         static_cast<std::int64_t>(range.max), 0);
+    } else {
+        double value = without_noise(row.shown(o.edited));
+        const bool logarithmic = row.scale == ParamScale::Logarithmic;
+        changed = slider(
+            row, o, ImGuiDataType_Double, value, range.min, range.max,
+            ImGuiSliderFlags_NoRoundToFormat | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
     }
-    row.set(o.edited, std::clamp(static_cast<double>(value), row.hard.min, row.hard.max));
-    return true;
+    slider_text(row, o);
+    return row.applies == ParamApplies::Live ? changed : ImGui::IsItemDeactivatedAfterEdit();
 }
 
 bool choice_widget(const ParamInfo& row, const ParamObjects& o) {
@@ -71,27 +90,21 @@ bool toggle_widget(const ParamInfo& row, const ParamObjects& o) {
 
 // Draws the widget of the row's kind; returns whether the copy is to be applied.
 bool value_widget(const ParamInfo& row, const ParamObjects& objects) {
-    const bool live = row.applies == ParamApplies::Live;
     switch (row.kind) {
         case ParamKind::Toggle:
             return toggle_widget(row, objects);
         case ParamKind::Choice:
             return choice_widget(row, objects);
-        case ParamKind::Integer: {
-            const bool changed = integer_widget(row, objects);
-            return live ? changed : ImGui::IsItemDeactivatedAfterEdit();
-        }
-        case ParamKind::Real: {
-            const bool changed = real_widget(row, objects);
-            return live ? changed : ImGui::IsItemDeactivatedAfterEdit();
-        }
+        case ParamKind::Integer:
+        case ParamKind::Real:
+            return number_widget(row, objects);
     }
     return false;
 }
 
 // Beside the panel, so that it hides no other row; after a moment, so that it does not flicker.
 void tooltip(const ParamInfo& row, const ParamObjects& o) {
-    if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
+    if (!ImGui::IsItemHovered() || ImGui::IsAnyItemActive()) return;
     if (ImGui::GetCurrentContext()->HoveredIdTimer < kTooltipDelay) return;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float edge = ImGui::GetCurrentWindow()->RootWindow->Pos.x;
@@ -165,12 +178,6 @@ bool label(const ParamInfo& row, const ParamObjects& o) {
     return reset;
 }
 
-bool differs(std::span<const ParamInfo> rows, std::string_view group, const ParamObjects& o) {
-    return std::ranges::any_of(rows, [&](const ParamInfo& row) {
-        return row.group() == group && row.get(o.edited) != row.get(o.preset);
-    });
-}
-
 }  // namespace
 
 double seconds_until_tooltip() {
@@ -198,20 +205,27 @@ bool param_widget(const ParamInfo& row, const ParamObjects& objects) {
 bool param_groups(std::span<const ParamInfo> rows, const ParamObjects& objects,
                   std::span<const std::string_view> elsewhere,
                   std::span<const std::string_view> hidden) {
+    const auto shown = [&](const ParamInfo& row) {
+        return std::ranges::count(hidden, row.group()) == 0 &&
+               std::ranges::count(elsewhere, row.key) == 0;
+    };
+    const auto edited = [&](const ParamInfo& row) {
+        return shown(row) && row.get(objects.edited) != row.get(objects.preset);
+    };
     bool apply = false, open = false;
     std::string_view group;
     for (const ParamInfo& row : rows) {
-        if (std::ranges::count(hidden, row.group()) > 0) continue;
+        if (!shown(row)) continue;
         if (row.group() != group) {
             group = row.group();
-            const bool edited = differs(rows, group, objects);
-            const ImU32 colour = ImGui::GetColorU32(edited ? ImGuiCol_CheckMark : ImGuiCol_Text);
-            ImGui::PushStyleColor(ImGuiCol_Text, colour);
+            const bool marked = std::ranges::any_of(
+                rows, [&](const ParamInfo& r) { return r.group() == group && edited(r); });
+            ImGui::PushStyleColor(ImGuiCol_Text,
+                                  ImGui::GetColorU32(marked ? ImGuiCol_CheckMark : ImGuiCol_Text));
             open = ImGui::CollapsingHeader(group_text(group).c_str());
             ImGui::PopStyleColor();
         }
-        if (!open || std::ranges::count(elsewhere, row.key) > 0) continue;
-        apply = param_widget(row, objects) || apply;
+        if (open) apply = param_widget(row, objects) || apply;
     }
     return apply;
 }

@@ -110,7 +110,10 @@ double Session::until_next_tick() const {
 }
 
 EditOutcome Session::apply(const Params& params) {
-    if (same(params, world_.params())) return EditOutcome::Unchanged;
+    if (same(params, world_.params())) {
+        if (!stopped_) message_.clear();  // of an edit that has been taken back
+        return EditOutcome::Unchanged;
+    }
     if (std::string error = range_error(params); !error.empty()) {
         message_ = std::move(error);
         return EditOutcome::Refused;

@@ -18,6 +18,7 @@
 #include "ui/kept_picture.h"
 #include "ui/panels.h"
 #include "ui/param_widgets.h"
+#include "ui/picture_controls.h"
 #include "ui/window.h"
 
 namespace ember {
@@ -27,8 +28,6 @@ constexpr int kWidth = 1280, kHeight = 720;  // [points]
 constexpr int kFramesAfterEvent = 3;         // ImGui needs a few to settle
 constexpr double kLongestSleep = 10.0;       // [s]
 constexpr double kTickBudget = 0.012;        // [s] of a picture's time that ticks may take
-constexpr double kOrbitPerPoint = 0.008;     // [rad]
-constexpr double kZoomPerNotch = 1.15;       // [1]
 constexpr double kTitleEvery = 0.25;         // [s]
 
 // The part of the window that shows the paper, in points from the upper left corner.
@@ -168,10 +167,10 @@ class App {
         apply();
     }
 
-    void place_lighter_at(double x, double y, const Picture& picture) {
+    void place_lighter_at(const PicturePoint& place, const Picture& picture) {
         const int width = picture.columns(), height = picture.rows();
         const Camera camera = make_camera(model_.render.camera, width, height);
-        const Vector3 ray = ray_through(camera, x, y, width, height).cast<double>();
+        const Vector3 ray = ray_through(camera, place.x, place.y, width, height).cast<double>();
         const auto hit =
             pick(session_.world().view(), model_.params.sheet, camera.eye.cast<double>(), ray);
         if (hit) place_lighter(*hit);
@@ -189,35 +188,6 @@ class App {
         }
     }
 
-    void begin_drag() {
-        const ImGuiIO& io = ImGui::GetIO();
-        for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) {
-            if (!io.MouseClicked[button]) continue;
-            drag_ = find_drag(button, io.KeyShift, io.KeyCtrl);
-            drag_button_ = button;
-            if (model_.placing && button == ImGuiMouseButton_Left) drag_ = Drag::PlaceLighter;
-        }
-    }
-
-    void mouse(const Picture& picture) {
-        const ImGuiIO& io = ImGui::GetIO();
-        CameraParams& camera = model_.render.camera;
-        if (!io.WantCaptureMouse) {
-            begin_drag();
-            if (io.MouseWheel != 0) zoom(camera, std::pow(kZoomPerNotch, double(io.MouseWheel)));
-        }
-        if (!drag_) return;
-        const double dx = double(io.MouseDelta.x), dy = double(io.MouseDelta.y);
-        if (*drag_ == Drag::Orbit) orbit(camera, -kOrbitPerPoint * dx, kOrbitPerPoint * dy);
-        if (*drag_ == Drag::Pan) pan(camera, -dx / picture.height, dy / picture.height);
-        if (*drag_ == Drag::PlaceLighter) {
-            place_lighter_at(double(io.MousePos.x), double(io.MousePos.y), picture);
-        }
-        if (io.MouseDown[drag_button_]) return;
-        if (*drag_ == Drag::PlaceLighter) model_.placing = false;
-        drag_.reset();
-    }
-
     void frame() {
         int width = 0, height = 0;
         glfwGetFramebufferSize(window_, &width, &height);
@@ -231,7 +201,8 @@ class App {
         const ImGuiIO& io = ImGui::GetIO();
         const Picture picture{std::max(1.0, double(io.DisplaySize.x - panel_width(model_))),
                               double(io.DisplaySize.y)};
-        mouse(picture);
+        const auto place = controls_.update(model_.render.camera, picture.height, model_.placing);
+        if (place) place_lighter_at(*place, picture);
         ImGui::Render();
         const double scale = double(io.DisplayFramebufferScale.x);
         draw(static_cast<int>(std::ceil(picture.width * scale)), height);
@@ -275,8 +246,7 @@ class App {
     ImguiPainter painter_;
     Speedometer speed_;
     std::vector<Action> pressed_;
-    std::optional<Drag> drag_;
-    int drag_button_ = 0;
+    PictureControls controls_;
     bool lit_by_hand_ = false;
     int frames_due_ = kFramesAfterEvent;
     std::string title_;

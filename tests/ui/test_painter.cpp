@@ -74,43 +74,82 @@ std::size_t lit_pixels(const std::vector<unsigned char>& pixels, int from_x, int
     return count;
 }
 
-TEST_F(Panels, ThePanelIsPaintedOnTheLeftAndNowhereElse) {
+TEST_F(Panels, ThePanelIsPaintedOnTheRightAndNowhereElse) {
     PanelModel model;
     model.title = "a title";
+    model.show_statistics = false;
     paint(model);
     const auto pixels = paint(model);
-    EXPECT_GT(lit_pixels(pixels, 0, 320), 2000u);
-    EXPECT_EQ(lit_pixels(pixels, 400, kWidth), 0u);
+    const int edge = kWidth - static_cast<int>(panel_width(model));
+    EXPECT_GT(lit_pixels(pixels, edge, kWidth), 2000u);
+    EXPECT_EQ(lit_pixels(pixels, 0, edge), 0u);
     model.show_panel = false;
+    EXPECT_EQ(panel_width(model), 0);
     EXPECT_EQ(lit_pixels(paint(model), 0, kWidth), 0u);
     model.show_help = true;
     paint(model);
     EXPECT_GT(lit_pixels(paint(model), 0, kWidth), 500u);
 }
 
-TEST_F(Panels, DraggingTheFirstSliderEditsTheCopyOfTheGrammage) {
+TEST_F(Panels, StatisticsAndMessagesLieOverThePicture) {
     PanelModel model;
-    PanelRequests requests;
+    model.show_panel = false;
     paint(model);
-    ImGuiIO& io = ImGui::GetIO();
-    const Params before = model.params;
-    // sweep down the panel with the button held until something is edited
-    bool edited = false;
-    for (float y = 40; y < 200 && !edited; y += 4) {
-        io.MousePos = ImVec2(200, y);
-        io.MouseDown[0] = false;
+    const std::size_t statistics = lit_pixels(paint(model), 0, kWidth / 2);
+    EXPECT_GT(statistics, 200u);
+    model.message = "sheet.width: expected a number from 1 to 10000 mm, got 0";
+    paint(model);
+    EXPECT_GT(lit_pixels(paint(model), 0, kWidth), statistics + 200);
+}
+
+// Presses the mouse on every fourth row of points and drags it; says with what the panel answered.
+class Dragged : public Panels {
+  protected:
+    struct Answer {
+        bool while_held = false, when_released = false;
+    };
+    template <class Edited>
+    Answer drag(PanelModel& model, Edited&& edited) {
+        ImGuiIO& io = ImGui::GetIO();
+        const float x = float{kWidth} - 0.25f * panel_width(model);
         paint(model);
-        io.MouseDown[0] = true;
-        paint(model, &requests);
-        io.MousePos = ImVec2(260, y);
-        paint(model, &requests);
-        edited = requests.params_changed;
-        io.MouseDown[0] = false;
-        paint(model);
+        Answer answer;
+        for (float y = 40; y < 320 && !edited(); y += 4) {
+            PanelRequests requests;
+            io.MousePos = ImVec2(x, y);
+            paint(model);
+            io.MouseDown[0] = true;
+            paint(model, &requests);
+            answer.while_held = requests.apply_params;
+            io.MousePos.x += 30;
+            paint(model, &requests);
+            answer.while_held = answer.while_held || requests.apply_params;
+            io.MouseDown[0] = false;
+            paint(model, &requests);
+            answer.when_released = requests.apply_params;
+        }
+        return answer;
     }
-    EXPECT_TRUE(edited);
+};
+
+TEST_F(Dragged, ARowThatRestartsIsAppliedOnceWhenTheHandLetsGo) {
+    PanelModel model;
+    const Params before = model.params;
+    const Answer answer =
+        drag(model, [&] { return model.params.paper.grammage != before.paper.grammage; });
     EXPECT_GT(model.params.paper.grammage, before.paper.grammage);
     EXPECT_EQ(model.params.paper.density, before.paper.density);
+    EXPECT_FALSE(answer.while_held);
+    EXPECT_TRUE(answer.when_released);
+}
+
+TEST_F(Dragged, ALiveRowIsAppliedWhileItIsDragged) {
+    PanelModel model;
+    const Params before = model.params;
+    const Answer answer =
+        drag(model, [&] { return model.params.shrinkage.factor != before.shrinkage.factor; });
+    EXPECT_GT(model.params.shrinkage.factor, before.shrinkage.factor);
+    EXPECT_TRUE(answer.while_held);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "ui/session.h"
 
@@ -40,9 +42,25 @@ TEST(Session, DropsTimeThatItCannotKeepUpWith) {
     session.play();
     session.advance(10.0);
     EXPECT_EQ(session.stats().tick, static_cast<std::uint64_t>(Session::kMostTicks));
-    EXPECT_NEAR(session.stats().dropped, 10.0 - Session::kMostTicks / 60.0, 1e-9);
+    EXPECT_NEAR(session.stats().dropped, 10.0 - Session::kMostTicks / 60.0, 1.01 / 60.0)
+        << "all but the fraction of a tick";
     session.advance(0.0);
     EXPECT_EQ(session.stats().tick, static_cast<std::uint64_t>(Session::kMostTicks));
+}
+
+TEST(Session, StopsAfterATickWhenThereIsNoTimeForMore) {
+    Session session(small(), 1);
+    session.play();
+    EXPECT_EQ(session.advance(0.1, [] { return false; }), 1);
+    EXPECT_EQ(session.stats().tick, 1u);
+    EXPECT_EQ(session.advance(0.0), 0) << "what was due has been dropped";
+}
+
+TEST(Session, SaysWhenTheNextTickIsDue) {
+    Session session(small(), 1);
+    session.play();
+    EXPECT_EQ(session.advance(0.010), 0);
+    EXPECT_NEAR(session.until_next_tick(), 1.0 / 60.0 - 0.010, 1e-12);
 }
 
 TEST(Session, AStepIsOneTickAndPauses) {
@@ -99,17 +117,49 @@ TEST(Session, WhatCannotBeBuiltLeavesEverythingAsItWas) {
     EXPECT_TRUE(session.message().empty());
 }
 
-TEST(Session, ARunThatGoesWrongPausesAndSaysWhere) {
+TEST(Session, WhatIsOutOfRangeIsRefused) {
     Session session(small(), 1);
-    Params broken = session.params();
-    broken.world.gravity = std::numeric_limits<double>::infinity();
-    session.apply(broken);
+    Params bad = session.params();
+    bad.world.gravity = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(session.apply(bad), EditOutcome::Refused);
+    EXPECT_NE(session.message().find("world.gravity"), std::string::npos);
+    EXPECT_EQ(session.params().world.gravity, small().world.gravity);
+}
+
+TEST(Session, ARunThatGoesWrongPausesAndSaysWhere) {
+    World world = make_world(small());
+    WorldState poisoned = world.snapshot();
+    poisoned.sheets[0].velocity.y[50] = std::numeric_limits<double>::quiet_NaN();
+    world.restore(poisoned);
+    Session session(std::move(world), 1);
     session.play();
     session.advance(0.1);
     EXPECT_FALSE(session.playing());
-    EXPECT_NE(session.message().find("stage"), std::string::npos);
+    EXPECT_NE(session.message().find("stage springs, sheet 0, node"), std::string::npos)
+        << session.message();
     session.play();
-    EXPECT_FALSE(session.playing()) << "only a restart helps";
+    EXPECT_FALSE(session.playing()) << "only an edit or a restart helps";
+    session.restart();
+    session.play();
+    session.advance(0.1);
+    EXPECT_TRUE(session.playing());
+    EXPECT_TRUE(session.message().empty());
+}
+
+TEST(Session, TheRevisionChangesWheneverTheWorldMayLookDifferent) {
+    Session session(small(), 1);
+    std::uint64_t before = session.revision();
+    const auto changed = [&] { return std::exchange(before, session.revision()) != before; };
+    session.step_once();
+    EXPECT_TRUE(changed());
+    session.apply(session.params());
+    EXPECT_FALSE(changed());
+    Params moved = session.params();
+    moved.lighter.x += 0.01;
+    session.apply(moved);
+    EXPECT_TRUE(changed());
+    session.restart();
+    EXPECT_TRUE(changed());
 }
 
 }  // namespace
