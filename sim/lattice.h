@@ -84,7 +84,7 @@ struct Lattice {
                                    std::size_t sheet);
 
 /// Stiffness of the paper's structural springs on its own A4 lattice [N/m]: 7e3 · G · A_ref with
-/// A_ref = 0.21·0.297/(33·49) m². This is k_s of eq. 4 whatever the lattice (DESIGN: 2.1).
+/// A_ref = 0.21·0.297/(33·49) m². This is k_s of eq. 4 whatever the lattice.
 [[nodiscard]] double reference_stiffness(double grammage, double per_weight = 7e3);
 
 }  // namespace ember

@@ -373,7 +373,7 @@ constexpr ParamInfo kRows[] = {
         {"A cut relieves the stress around it: no second cut within this distance ...",
          "Our choice"}),
     real<&P::fracture, &FractureParams::relief_time>(
-        "fracture.relief_time", "", unit::second, {0, 100}, {0, 0.5}, Linear, Live,
+        "fracture.relief_time", "", unit::second, {0, 100}, {0, 1}, Linear, Live,
         {"... for this long. 0 cuts everything over-stretched at once, as the paper does.",
          "Our choice"}),
     toggle<&P::fracture, &FractureParams::release_hinges>(
