@@ -26,7 +26,7 @@ struct ParticleGrid {
     std::vector<Index> order;         ///< particle numbers, by cell, ascending within a cell
     Vector3Array position, velocity;  ///< of the particles in that order
     std::vector<double> heating;      ///< [K/s] at the kernel's centre, in that order
-    std::vector<double> freshness;     ///< e^(-age/heating_time), in that order
+    std::vector<double> freshness;    ///< e^(-age/heating_time), in that order
     std::vector<double> absorbed;     ///< Σ (area / r_k²) W, in that order
 };
 

@@ -16,7 +16,8 @@ namespace {
 constexpr int kSize = 256;
 
 double hash(int x, int y, int seed) {
-    auto h = static_cast<std::uint32_t>(x) * 0x8DA6B343u ^ static_cast<std::uint32_t>(y) * 0xD8163841u ^
+    auto h = static_cast<std::uint32_t>(x) * 0x8DA6B343u ^
+             static_cast<std::uint32_t>(y) * 0xD8163841u ^
              static_cast<std::uint32_t>(seed) * 0xCB1AB31Fu;
     h ^= h >> 15;
     h *= 0x2C1B3C6Du;
@@ -26,7 +27,9 @@ double hash(int x, int y, int seed) {
     return h / 4294967296.0;
 }
 
-double smooth(double t) { return t * t * (3 - 2 * t); }
+double smooth(double t) {
+    return t * t * (3 - 2 * t);
+}
 
 // Value noise with `period` cells per unit, tiling over the unit square.
 double noise(double x, double y, int period_x, int period_y, int seed) {
@@ -63,7 +66,8 @@ double puff(double x, double y, int seed) {
     const double sway = 0.22 * (noise(0.1, y * 0.5 + 0.25, 1, 4, seed + 90) - 0.5) * (1 - y);
     const double r = std::sqrt((u - sway) * (u - sway) / (width * width) + v * v * 1.15);
     const double wisps = octaves(x, y * 0.6 + 0.2, 4, 3, seed, 4);
-    const double body = std::max(0.0, 1 - r - 0.75 * (0.58 - wisps) * smooth(std::min(1.0, r * 1.2)));
+    const double body =
+        std::max(0.0, 1 - r - 0.75 * (0.58 - wisps) * smooth(std::min(1.0, r * 1.2)));
     const double border = std::max(std::abs(u), std::abs(v));
     const double edge = 1 - smooth(std::clamp((border - 0.80) / 0.18, 0.0, 1.0));
     return std::pow(body, 1.35) * (0.55 + 0.65 * wisps) * edge;
