@@ -133,12 +133,31 @@ struct FractureParams {
     bool release_hinges = true;
 };
 
+enum class IntegratorKind : std::uint8_t {
+    Auto,
+    SemiImplicitEuler,
+    VelocityVerlet,
+    Rk4,
+    Dopri5,
+    Rkf78,
+    AdamsBashforthMoulton,
+    Rosenbrock
+};
+enum class HeatSolverKind : std::uint8_t { Auto, Ftcs, Rkl2, Adi };
+enum class Arithmetic : std::uint8_t { Exact, Fast };
+
 /// How the equations are solved.
 struct NumericsParams {
     double tick_rate = 60.0;  // [1/s]
+    IntegratorKind integrator = IntegratorKind::Rk4;
+    double tolerance = 1e-6;  // [m] of a sub-step, for integrators that choose their own
     double safety = 0.9;      // [1] of the stability bound
     int substeps_min = 1;
-    bool check = true;  // finiteness and energy, with rollback
+    HeatSolverKind heat_solver = HeatSolverKind::Auto;
+    Arithmetic arithmetic = Arithmetic::Exact;
+    bool skip = true;          // leave out work that changes nothing
+    double sleep_speed = 0.0;  // [m/s] below which resting paper is not moved; 0: never
+    bool check = true;         // finiteness and energy, with rollback
     std::int64_t seed = 1;
 };
 

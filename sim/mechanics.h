@@ -1,0 +1,47 @@
+// The equation of motion of one sheet during a tick, M x'' = F(x, x'), as a right-hand side that
+// any integrator can call.
+#pragma once
+
+#include "sim/lattice.h"
+#include "sim/parallel.h"
+#include "sim/spring_forces.h"
+#include "sim/spring_network.h"
+#include "sim/world_state.h"
+
+namespace ember {
+
+/// What acts on a sheet's nodes during a tick besides springs; all arrays N.
+struct NodeLoads {
+    std::vector<double> inverse_mass;  ///< [1/kg]; 0 for held nodes
+    Vector3Array force;                ///< [N] constant during the tick: gravity and fire
+    Vector3Array fire;                 ///< [N] the part of it that is fire's
+    std::vector<double> drag;          ///< [kg/s] across the sheet
+    Vector3Array normal;               ///< [1] unit normal at the start of the tick
+    double drag_tangential = 0;        ///< [1] share of drag along the sheet
+    bool has_drag = false;
+};
+
+/// Mechanical power that leaves the sheet [W].
+struct LostPower {
+    double damping = 0, drag = 0;
+};
+
+/// Everything that the forces on a sheet depend on besides its motion. Holds references only.
+struct Mechanics {
+    const Lattice& lattice;
+    const SheetState& sheet;  ///< rest lengths and topology; its motion is not read
+    const SpringNetwork& network;
+    const NodeLoads& loads;
+    SpringForces& forces;  ///< scratch
+    ThreadPool& pool;
+    Arithmetic arithmetic = Arithmetic::Exact;
+
+    [[nodiscard]] std::size_t node_count() const { return sheet.mass.size(); }
+};
+
+/// Accelerations a [m/s²], 3N, of a sheet whose nodes are at x [m] and move with v [m/s], both 3N:
+/// all x components, then all y, then all z. Held nodes have acceleration 0. Returns the power
+/// lost. Same bits for any number of threads.
+LostPower accelerate(const Mechanics& mechanics, const double* x, const double* v, double* a);
+
+}  // namespace ember
