@@ -1,18 +1,82 @@
 #include "sim/energy.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 
 #include "sim/spring_forces.h"
+#include "sim/vectorise.h"
 
 namespace ember {
 
+namespace {
+
+constexpr std::ptrdiff_t kBlock = 64;  // terms that are summed at once
+using Block = std::array<double, kBlock>;
+
+// ½ k (L - l)² of `count` springs between nodes a+i and b+i.
+EMBER_VECTORISED void elastic_terms(std::ptrdiff_t count, const SheetState& sheet, std::ptrdiff_t a,
+                                    std::ptrdiff_t b, const double* __restrict stiffness,
+                                    const double* __restrict rest, double* __restrict out) {
+    const double *x = sheet.position.x.data(), *y = sheet.position.y.data(),
+                 *z = sheet.position.z.data();
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const double dx = x[b + i] - x[a + i], dy = y[b + i] - y[a + i], dz = z[b + i] - z[a + i];
+        const double stretch = std::sqrt(dx * dx + dy * dy + dz * dz) - rest[i];
+        out[i] = 0.5 * stiffness[i] * stretch * stretch;
+    }
+}
+
+EMBER_VECTORISED void motion_terms(std::ptrdiff_t first, std::ptrdiff_t count,
+                                   const SheetState& sheet, const WorldParams& world,
+                                   double* __restrict kinetic, double* __restrict gravitational) {
+    const double *x = sheet.velocity.x.data() + first, *y = sheet.velocity.y.data() + first,
+                 *z = sheet.velocity.z.data() + first, *mass = sheet.mass.data() + first,
+                 *height = sheet.position.y.data() + first;
+    const std::uint8_t* piece_held = sheet.piece_held.data() + first;
+    const double while_held = world.gravity * world.held_gravity;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const double gravity = piece_held[i] != 0 ? while_held : world.gravity;
+        kinetic[i] = 0.5 * mass[i] * (x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+        gravitational[i] = mass[i] * gravity * height[i];
+    }
+}
+
+}  // namespace
+
+double elastic_energy(const Lattice& lattice, const SheetState& sheet,
+                      const SpringNetwork& network) {
+    double sum = 0.0;
+    Block terms{};
+    const auto add = [&](std::ptrdiff_t count, std::ptrdiff_t a, std::ptrdiff_t b,
+                         const double* stiffness, const double* rest) {
+        for (std::ptrdiff_t i = 0; i < count; i += kBlock) {
+            const std::ptrdiff_t size = std::min(kBlock, count - i);
+            elastic_terms(size, sheet, a + i, b + i, stiffness + i, rest + i, terms.data());
+            sum += sum_in_lanes(terms.data(), size);
+        }
+    };
+    for_each_spring_row(lattice, [&](std::ptrdiff_t count, Index a, Index b, std::size_t slot) {
+        add(count, a, b, &network.stiffness[slot], &sheet.rest_length[slot]);
+    });
+    for (std::size_t i = 0; i < network.extra.size(); ++i) {
+        const ExtraSpring& spring = network.extra[i];
+        add(1, spring.a, spring.b, &network.extra_stiffness[i],
+            &sheet.rest_length[static_cast<std::size_t>(spring.slot)]);
+    }
+    return sum;
+}
+
 void add_energy(const Lattice& lattice, const WorldParams& world, const SheetState& sheet,
                 const SpringNetwork& network, MechanicalEnergy& energy) {
-    for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
-        energy.kinetic += 0.5 * sheet.mass[n] * sheet.velocity.at(n).squaredNorm();
-        energy.gravitational += sheet.mass[n] * node_gravity(world, sheet, n) * sheet.position.y[n];
+    Block kinetic{}, gravitational{};
+    const auto nodes = static_cast<std::ptrdiff_t>(sheet.mass.size());
+    for (std::ptrdiff_t first = 0; first < nodes; first += kBlock) {
+        const std::ptrdiff_t count = std::min(kBlock, nodes - first);
+        motion_terms(first, count, sheet, world, kinetic.data(), gravitational.data());
+        energy.kinetic += sum_in_lanes(kinetic.data(), count);
+        energy.gravitational += sum_in_lanes(gravitational.data(), count);
     }
     energy.elastic += elastic_energy(lattice, sheet, network);
 }

@@ -19,6 +19,10 @@ struct MechanicalEnergy {
     return world.gravity * (sheet.piece_held[n] != 0 ? world.held_gravity : 1.0);
 }
 
+/// Elastic energy ½ Σ k (L - l)² [J].
+[[nodiscard]] double elastic_energy(const Lattice& lattice, const SheetState& sheet,
+                                    const SpringNetwork& network);
+
 /// Adds the energy of one sheet: ½ Σ m v² + ½ Σ k (L - l)² + Σ m g y.
 void add_energy(const Lattice& lattice, const WorldParams& world, const SheetState& sheet,
                 const SpringNetwork& network, MechanicalEnergy& energy);

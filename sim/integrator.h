@@ -1,42 +1,59 @@
-// Classical fourth-order Runge-Kutta over one tick (section 2 of the paper: "an explicit
-// Runge-Kutta of order four").
+// Moves a sheet's nodes through one tick by the integrator that is asked for.
 #pragma once
 
-#include "sim/spring_forces.h"
+#include <limits>
+
+#include "sim/integrators/motion.h"
+#include "sim/mechanics.h"
 #include "sim/step_stats.h"
 
 namespace ember {
 
-/// What acts on a sheet's nodes during a tick besides springs; all arrays N.
-struct NodeLoads {
-    std::vector<double> inverse_mass;  ///< [1/kg]; 0 for held nodes
-    Vector3Array force;                ///< [N] constant during the tick: gravity and fire
-    Vector3Array fire;                 ///< [N] the part of it that is fire's
-    std::vector<double> drag;          ///< [kg/s] across the sheet
-    Vector3Array normal;               ///< [1] unit normal at the start of the tick
-    double drag_tangential = 0;        ///< [1] share of drag along the sheet
-    bool has_drag = false;
-};
-
-/// Scratch of one sheet's integration.
-struct IntegratorScratch {
-    Vector3Array stage_x, stage_v;  ///< [m], [m/s] where the next right-hand side is taken
-    Vector3Array sum_x, sum_v;      ///< weighted sums of the stages
-    Vector3Array start_x;           ///< [m] at the start of the tick, for the work of the fire
-    std::vector<double> drag_loss;  ///< [J] since the start of the tick, N
-    std::vector<double> row_force;  ///< 3×row, one block per row so that threads do not meet
+/// How to divide a tick.
+struct StepControl {
+    IntegratorKind integrator = IntegratorKind::Rk4;
+    double dt = 0;  ///< [s] the tick
+    /// Equal sub-steps; for integrators with error control the least number, and where they begin.
+    std::int64_t substeps = 1;
+    double tolerance = std::numeric_limits<double>::infinity();   ///< [m] RMS error of a sub-step
+    double first_step = std::numeric_limits<double>::infinity();  ///< [s] to try, with a tolerance
 };
 
 /// Where mechanical energy went in a tick [J].
 struct TickWork {
     double fire = 0, damping = 0, drag = 0;
+    std::int64_t substeps = 0;      ///< taken
+    const char* failure = nullptr;  ///< why the integrator gave up, or null
 };
 
-/// Advances positions and velocities by `dt` [s] in `substeps` equal steps. Fourth order in the
-/// step where loads are constant. `dt / substeps` must respect substep_bound() (stability.h).
+/// Scratch of one sheet's integration.
+struct IntegratorScratch {
+    Motion start, present, stage;
+    std::vector<std::vector<double>> accelerations;  ///< [m/s²] of stages or past steps, 3N each
+    std::vector<std::vector<double>> velocities;     ///< [m/s] of past steps, 3N + padding each
+    std::vector<double> error, zeros;                ///< 3N
+};
+
+/// Whether the integrator finds its own sub-steps from StepControl::tolerance.
+[[nodiscard]] constexpr bool has_error_control(IntegratorKind integrator) {
+    return integrator == IntegratorKind::Dopri5 || integrator == IntegratorKind::Rkf78;
+}
+
+/// Advances the positions and velocities of `sheet`, which is `mechanics.sheet`, by control.dt.
+/// Sub-steps must be no longer than stable_step() (stability.h) for explicit integrators.
+///
+///   integrator              order  right-hand sides per sub-step
+///   semi_implicit_euler     1      1
+///   velocity_verlet         2      1
+///   rk4                     4      4
+///   dopri5                  5(4)   6   Dormand and Prince 1980, error control
+///   rkf78                   8(7)   13  Fehlberg 1968, error control
+///   adams_bashforth_moulton 6      2   PECE, started by dopri5 in every tick, since the fire,
+///                                      the cuts and the masses change between ticks
+///   rosenbrock              2      3   ROS2 (Verwer et al. 1999), linearly implicit, L-stable
+///
 /// Returns the work done, by the same quadrature as the motion.
-TickWork integrate(const Lattice& lattice, SheetState& sheet, const SpringNetwork& network,
-                   const NodeLoads& loads, double dt, std::int64_t substeps, SpringForces& forces,
-                   IntegratorScratch& scratch, ThreadPool& pool, StepCounters& counters);
+TickWork integrate(const Mechanics& mechanics, SheetState& sheet, const StepControl& control,
+                   IntegratorScratch& scratch, StepCounters& counters);
 
 }  // namespace ember

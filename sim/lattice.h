@@ -76,6 +76,23 @@ struct Lattice {
     }
 };
 
+/// Calls visit(count, a, b, slot) for every row of springs of one kind: `count` springs between
+/// nodes a+i and b+i whose slots are slot+i. Springs without stiffness are among them.
+template <class Visitor>
+void for_each_spring_row(const Lattice& lattice, Visitor&& visit) {
+    for (int k = 0; k < kSlotCount; ++k) {
+        const auto kind = static_cast<Slot>(k);
+        const bool across = kind == Slot::Cross || kind == Slot::BendCross;
+        const Index count = lattice.column_count - (across ? 0 : kind == Slot::BendMain ? 2 : 1);
+        for (Index row = 0; count > 0 && row < lattice.row_count; ++row) {
+            const Index anchor = lattice.site(row, 0);
+            const auto [a, b] = lattice.ends(kind, anchor);
+            if (a == kNone) continue;
+            visit(count, a, b, static_cast<std::size_t>(lattice.slot(kind, anchor)));
+        }
+    }
+}
+
 /// Builds the lattice of `plan`. Spring constants are those of section 4.1 times stiffness_scale,
 /// with the random variation of structural springs from fibre to fibre (figure 3).
 /// `sheet` numbers the sheet in the scene, so that sheets differ.

@@ -29,19 +29,20 @@ struct LostPower {
 /// Everything that the forces on a sheet depend on besides its motion. Holds references only.
 struct Mechanics {
     const Lattice& lattice;
-    const SheetState& sheet;  ///< rest lengths and topology; its motion is not read
+    const SheetState& sheet;  ///< topology and masses; its motion is not read
     const SpringNetwork& network;
     const NodeLoads& loads;
-    SpringForces& forces;  ///< scratch
+    SpringForces& forces;  ///< scratch; SpringForces::prepare() has been called for this tick
     ThreadPool& pool;
-    Arithmetic arithmetic = Arithmetic::Exact;
+    SpringKernel kernel;
 
     [[nodiscard]] std::size_t node_count() const { return sheet.mass.size(); }
 };
 
 /// Accelerations a [m/s²], 3N, of a sheet whose nodes are at x [m] and move with v [m/s], both 3N:
-/// all x components, then all y, then all z. Held nodes have acceleration 0. Returns the power
-/// lost. Same bits for any number of threads.
+/// all x components, then all y, then all z; kMotionPadding more elements must be readable after
+/// x and after v. Held nodes have acceleration 0. Returns the power lost. Same bits for any number
+/// of threads.
 LostPower accelerate(const Mechanics& mechanics, const double* x, const double* v, double* a);
 
 }  // namespace ember

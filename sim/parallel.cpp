@@ -2,8 +2,20 @@
 
 namespace ember {
 namespace {
+
 constexpr std::ptrdiff_t kItemsWorthSharing = 16384;
+
+// A tick is a hundred short loops with next to nothing between them, so a worker looks out for the
+// next one for some microseconds before it asks the system to sleep, which takes longer than that.
+constexpr int kSpins = 4000;
+
+void pause() {
+#ifdef __x86_64__
+    __builtin_ia32_pause();
+#endif
 }
+
+}  // namespace
 
 ThreadPool::ThreadPool(int threads) {
     for (int part = 1; part < threads; ++part) {
@@ -12,47 +24,53 @@ ThreadPool::ThreadPool(int threads) {
 }
 
 ThreadPool::~ThreadPool() {
-    {
-        const std::lock_guard lock(mutex_);
-        stop_ = true;
-    }
-    start_.notify_all();
+    stop_ = true;
+    ++round_;
+    round_.notify_all();
     for (std::thread& worker : workers_)
         worker.join();
 }
 
 void ThreadPool::for_rows(std::ptrdiff_t rows, std::ptrdiff_t items_per_row,
                           const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>& body) {
+    for_parts(rows, items_per_row,
+              [&](int, std::ptrdiff_t begin, std::ptrdiff_t end) { body(begin, end); });
+}
+
+void ThreadPool::for_parts(std::ptrdiff_t rows, std::ptrdiff_t items_per_row,
+                           const std::function<void(int, std::ptrdiff_t, std::ptrdiff_t)>& body) {
     if (workers_.empty() || rows * items_per_row < kItemsWorthSharing) {
-        body(0, rows);
+        body(0, 0, rows);
         return;
     }
-    {
-        const std::lock_guard lock(mutex_);
-        body_ = &body;
-        rows_ = rows;
-        running_ = static_cast<int>(workers_.size());
-        ++generation_;
+    body_ = &body;
+    rows_ = rows;
+    running_ = static_cast<int>(workers_.size());
+    ++round_;  // publishes the three above
+    round_.notify_all();
+    run_part(0);
+    for (int spin = 0; running_ != 0; ++spin) {
+        if (spin < kSpins) {
+            pause();
+        } else {
+            std::this_thread::yield();
+        }
     }
-    start_.notify_all();
-    body(0, rows / size());
-    std::unique_lock lock(mutex_);
-    done_.wait(lock, [this] { return running_ == 0; });
+}
+
+void ThreadPool::run_part(int part) {
+    (*body_)(part, rows_ * part / size(), rows_ * (part + 1) / size());
 }
 
 void ThreadPool::work(int part) {
-    std::size_t seen = 0;
-    for (;;) {
-        std::unique_lock lock(mutex_);
-        start_.wait(lock, [&] { return stop_ || generation_ != seen; });
+    for (unsigned seen = 0;;) {
+        for (int spin = 0; spin < kSpins && round_ == seen; ++spin)
+            pause();
+        round_.wait(seen);
         if (stop_) return;
-        seen = generation_;
-        const auto* body = body_;
-        const std::ptrdiff_t begin = rows_ * part / size(), end = rows_ * (part + 1) / size();
-        lock.unlock();
-        (*body)(begin, end);
-        lock.lock();
-        if (--running_ == 0) done_.notify_one();
+        seen = round_;
+        run_part(part);
+        --running_;
     }
 }
 

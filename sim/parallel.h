@@ -1,10 +1,9 @@
 // A small pool of threads for loops whose iterations do not depend on each other.
 #pragma once
 
-#include <condition_variable>
+#include <atomic>
 #include <cstddef>
 #include <functional>
-#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -27,17 +26,20 @@ class ThreadPool {
     void for_rows(std::ptrdiff_t rows, std::ptrdiff_t items_per_row,
                   const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>& body);
 
+    /// The same with the number of the part, 0 .. size()-1, for scratch of its own.
+    void for_parts(std::ptrdiff_t rows, std::ptrdiff_t items_per_row,
+                   const std::function<void(int, std::ptrdiff_t, std::ptrdiff_t)>& body);
+
   private:
     void work(int part);
+    void run_part(int part);
 
     std::vector<std::thread> workers_;
-    std::mutex mutex_;
-    std::condition_variable start_, done_;
-    const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>* body_ = nullptr;
+    const std::function<void(int, std::ptrdiff_t, std::ptrdiff_t)>* body_ = nullptr;
     std::ptrdiff_t rows_ = 0;
-    std::size_t generation_ = 0;
-    int running_ = 0;
-    bool stop_ = false;
+    std::atomic<unsigned> round_ = 0;  ///< counts loops
+    std::atomic<int> running_ = 0;     ///< workers that have not finished the present loop
+    std::atomic<bool> stop_ = false;
 };
 
 }  // namespace ember

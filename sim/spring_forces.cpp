@@ -1,164 +1,175 @@
 #include "sim/spring_forces.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 
 #include "sim/vectorise.h"
 
 namespace ember {
 namespace {
 
-#ifdef EMBERLEAF_PLANT_FORCE_ERROR
-// For the test of the energy ledger only: a law that breaks Newton's third by one per cent.
-constexpr double kReaction = 1.01;
-#else
-constexpr double kReaction = 1.0;
-#endif
-
-// `count` springs between nodes a+i and b+i. All pointers are to the first spring's data.
-EMBER_VECTORISED void evaluate_run(std::ptrdiff_t count, const NodeMotion& m, std::ptrdiff_t a,
-                                   std::ptrdiff_t b, const double* __restrict k,
-                                   const double* __restrict d, const double* __restrict rest,
-                                   double weight, double* __restrict fx, double* __restrict fy,
-                                   double* __restrict fz, double* __restrict dissipated) {
+// `count` springs between listed nodes; see kernel/spring_kernel_loops.h for the law.
+EMBER_VECTORISED void evaluate_listed(std::ptrdiff_t count, const NodeMotion m,
+                                      const Index* __restrict a, const Index* __restrict b,
+                                      const double* __restrict k, const double* __restrict tension,
+                                      const double* __restrict d, double* __restrict fx,
+                                      double* __restrict fy, double* __restrict fz,
+                                      double* __restrict loss) {
+    const auto n = static_cast<std::ptrdiff_t>(m.node_count);
+    const double *x = m.x, *y = m.x + n, *z = m.x + 2 * n;
+    const double *vx = m.v, *vy = m.v + n, *vz = m.v + 2 * n;
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const double dx = m.x[b + i] - m.x[a + i];
-        const double dy = m.y[b + i] - m.y[a + i];
-        const double dz = m.z[b + i] - m.z[a + i];
-        const double squared = dx * dx + dy * dy + dz * dz;
-        const double safe = squared > 0.0 ? squared : 1.0;  // length 0: no direction, no force
-        const double length = std::sqrt(safe);
-        const double inverse = 1.0 / length;
-        const double rate = ((m.vx[b + i] - m.vx[a + i]) * dx + (m.vy[b + i] - m.vy[a + i]) * dy +
-                             (m.vz[b + i] - m.vz[a + i]) * dz) *
-                            inverse;
-        const double scale = (k[i] * (length - rest[i]) + d[i] * rate) * inverse;
+        const std::ptrdiff_t p = a[i], q = b[i];
+        const double dx = x[q] - x[p], dy = y[q] - y[p], dz = z[q] - z[p];
+        const double inverse = 1.0 / std::sqrt(dx * dx + dy * dy + dz * dz + 1e-30);
+        const double rate =
+            ((vx[q] - vx[p]) * dx + (vy[q] - vy[p]) * dy + (vz[q] - vz[p]) * dz) * inverse;
+        const double friction = d[i] * rate;
+        const double scale = k[i] + inverse * (friction - tension[i]);
         fx[i] = scale * dx;
         fy[i] = scale * dy;
         fz[i] = scale * dz;
-        dissipated[i] += weight * d[i] * rate * rate;
+        loss[i] = friction * rate;
     }
 }
 
-void evaluate_slot_row(const Lattice& lattice, const SheetState& sheet,
-                       const SpringNetwork& network, const NodeMotion& motion, double weight,
-                       Slot kind, Index row, SpringForces& forces) {
-    const Index anchor = lattice.site(row, 0);
-    const auto [a, b] = lattice.ends(kind, anchor);
-    if (a == kNone) return;
-    const Index columns =
-        lattice.column_count - (kind == Slot::BendMain                           ? 2
-                                : kind == Slot::Cross || kind == Slot::BendCross ? 0
-                                                                                 : 1);
-    const auto slot = static_cast<std::size_t>(lattice.slot(kind, anchor));
-    const std::size_t f = SpringForces::offset(lattice, kind, row);
-    evaluate_run(columns, motion, a, b, &network.stiffness[slot], &network.damping[slot],
-                 &sheet.rest_length[slot], weight, &forces.x[f], &forces.y[f], &forces.z[f],
-                 &forces.dissipated[slot]);
-}
-
-void evaluate_extra(const SheetState& sheet, const SpringNetwork& network, const NodeMotion& motion,
-                    double weight, SpringForces& forces) {
-    for (std::size_t i = 0; i < network.extra.size(); ++i) {
-        const ExtraSpring& spring = network.extra[i];
-        evaluate_run(
-            1, motion, spring.a, spring.b, &network.extra_stiffness[i], &network.extra_damping[i],
-            &sheet.rest_length[static_cast<std::size_t>(spring.slot)], weight, &forces.extra_x[i],
-            &forces.extra_y[i], &forces.extra_z[i], &forces.extra_dissipated[i]);
-    }
-}
-
-// The twelve dense springs of the nodes of a row, as pointers to the value at column 0.
-// Springs that would come from outside the sheet are zeros: columns before the first find the
-// unused slots at the end of the row before, or the kFront zeros; missing rows find `zeros`.
-struct RowStencil {
-    const double *main, *cross, *cross_above, *down, *down_above, *up, *up_above, *bend_main,
-        *bend_cross, *bend_cross_above;
-};
-
-RowStencil stencil(const Lattice& lattice, const SpringForces& forces,
-                   const std::vector<double>& component, Index row) {
-    const auto at = [&](Slot kind, Index r) {
-        if (r == kNone) return forces.zeros.data() + SpringForces::kFront;
-        return component.data() + SpringForces::offset(lattice, kind, r);
-    };
-    const Index above = lattice.row_at(row, -1), two_above = lattice.row_at(row, -2);
-    return {at(Slot::Main, row),           at(Slot::Cross, row),      at(Slot::Cross, above),
-            at(Slot::DiagDown, row),       at(Slot::DiagDown, above), at(Slot::DiagUp, row),
-            at(Slot::DiagUp, above),       at(Slot::BendMain, row),   at(Slot::BendCross, row),
-            at(Slot::BendCross, two_above)};
-}
-
-EMBER_VECTORISED void gather_component(const RowStencil& s, Index columns, double* __restrict out) {
-    for (std::ptrdiff_t c = 0; c < columns; ++c) {
-        double f = s.main[c] - kReaction * s.main[c - 1];
-        f += s.cross[c] - kReaction * s.cross_above[c];
-        f += s.down[c] - kReaction * s.down_above[c - 1];
-        f += s.up[c - 1] - kReaction * s.up_above[c];
-        f += s.bend_main[c] - kReaction * s.bend_main[c - 2];
-        f += s.bend_cross[c] - kReaction * s.bend_cross_above[c];
-        out[c] = f;
-    }
-}
+constexpr std::ptrdiff_t kForceRows = kKinds * 3;  // rows of `pitch` that one lattice row has
 
 }  // namespace
 
-void SpringForces::begin_tick(const Lattice& lattice, const SpringNetwork& network) {
-    const std::size_t slots = network.weight.size(), extra = network.extra.size();
-    x.assign(slots + kSlotCount * kFront, 0.0);
-    y.assign(slots + kSlotCount * kFront, 0.0);
-    z.assign(slots + kSlotCount * kFront, 0.0);
-    dissipated.assign(slots, 0.0);
-    extra_x.assign(extra, 0.0);
-    extra_y.assign(extra, 0.0);
-    extra_z.assign(extra, 0.0);
-    extra_dissipated.assign(extra, 0.0);
-    zeros.assign(kFront + static_cast<std::size_t>(lattice.column_count), 0.0);
-}
-
-void evaluate_springs(const Lattice& lattice, const SheetState& sheet, const SpringNetwork& network,
-                      const NodeMotion& motion, double weight, SpringForces& forces,
-                      ThreadPool& pool) {
-    pool.for_rows(lattice.row_count, kSlotCount * lattice.column_count,
-                  [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-                      for (auto row = begin; row < end; ++row) {
-                          for (int kind = 0; kind < kSlotCount; ++kind) {
-                              evaluate_slot_row(lattice, sheet, network, motion, weight,
-                                                static_cast<Slot>(kind), static_cast<Index>(row),
-                                                forces);
-                          }
-                      }
-                  });
-    evaluate_extra(sheet, network, motion, weight, forces);
-}
-
-void gather_row(const Lattice& lattice, const SpringForces& forces, Index row, double* fx,
-                double* fy, double* fz) {
-    const Index columns = lattice.column_count;
-    gather_component(stencil(lattice, forces, forces.x, row), columns, fx);
-    gather_component(stencil(lattice, forces, forces.y, row), columns, fy);
-    gather_component(stencil(lattice, forces, forces.z, row), columns, fz);
-}
-
-Vector3 gather_extra(const SpringNetwork& network, const SpringForces& forces, std::size_t node) {
-    Vector3 sum = Vector3::Zero();
-    for (Index e = network.end_begin[node]; e < network.end_begin[node + 1]; ++e) {
-        const ExtraEnd& end = network.ends[static_cast<std::size_t>(e)];
-        const auto i = static_cast<std::size_t>(end.spring);
-        sum += end.sign * Vector3(forces.extra_x[i], forces.extra_y[i], forces.extra_z[i]);
+double sum_in_lanes(const double* values, std::ptrdiff_t count) {
+    std::array<double, kLanes> sum{};
+    std::ptrdiff_t i = 0;
+    for (; i + kLanes <= count; i += kLanes) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane)
+            sum[lane] += values[static_cast<std::size_t>(i) + lane];
     }
-    return sum;
+    for (std::size_t lane = 0; i < count; ++i, ++lane)
+        sum[lane] += values[i];
+    return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
 }
 
-double elastic_energy(const Lattice& lattice, const SheetState& sheet,
-                      const SpringNetwork& network) {
-    double sum = 0.0;
-    for_each_spring(lattice, network, [&](Index a, Index b, Index slot, double k, double) {
-        const Vector3 d = sheet.position.at(static_cast<std::size_t>(b)) -
-                          sheet.position.at(static_cast<std::size_t>(a));
-        const double stretch = d.norm() - sheet.rest_length[static_cast<std::size_t>(slot)];
-        sum += 0.5 * k * stretch * stretch;
-    });
-    return sum;
+void ExtraSprings::prepare(const SheetState& sheet, const SpringNetwork& network) {
+    const std::size_t count = network.extra.size();
+    for (auto* array : {&stiffness, &tension, &damping, &x, &y, &z, &loss})
+        array->resize(count);
+    a.resize(count);
+    b.resize(count);
+    total.assign(count > 0 ? 3 * sheet.mass.size() : 0, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const ExtraSpring& spring = network.extra[i];
+        a[i] = spring.a;
+        b[i] = spring.b;
+        stiffness[i] = network.extra_stiffness[i];
+        tension[i] = stiffness[i] * sheet.rest_length[static_cast<std::size_t>(spring.slot)];
+        damping[i] = network.extra_damping[i];
+    }
+}
+
+double ExtraSprings::evaluate(const SpringNetwork& network, const NodeMotion& motion) {
+    const auto count = static_cast<std::ptrdiff_t>(a.size());
+    if (count == 0) return 0.0;
+    evaluate_listed(count, motion, a.data(), b.data(), stiffness.data(), tension.data(),
+                    damping.data(), x.data(), y.data(), z.data(), loss.data());
+    const std::size_t n = motion.node_count;
+    for (std::size_t t = 0; t < network.end_nodes.size(); ++t) {
+        double fx = 0.0, fy = 0.0, fz = 0.0;
+        for (Index e = network.end_begin[t]; e < network.end_begin[t + 1]; ++e) {
+            const ExtraEnd& end = network.ends[static_cast<std::size_t>(e)];
+            const auto i = static_cast<std::size_t>(end.spring);
+            fx += end.sign * x[i];
+            fy += end.sign * y[i];
+            fz += end.sign * z[i];
+        }
+        const auto node = static_cast<std::size_t>(network.end_nodes[t]);
+        total[node] = fx;
+        total[n + node] = fy;
+        total[2 * n + node] = fz;
+    }
+    return sum_in_lanes(loss.data(), count);
+}
+
+void SpringForces::prepare(const Lattice& lattice, const SheetState& sheet,
+                           const SpringNetwork& network, int threads) {
+    const std::ptrdiff_t columns = lattice.column_count;
+    const std::ptrdiff_t padded = padded_columns(columns), row_size = padded * kKinds * kConstants;
+    pitch = padded + kLanes;
+    const auto rows = static_cast<std::size_t>(lattice.row_count);
+    constants.assign_zero(rows * static_cast<std::size_t>(row_size));
+    for (std::ptrdiff_t kind = 0; kind < kKinds; ++kind) {
+        for (Index row = 0; row < lattice.row_count; ++row) {
+            const auto slot = static_cast<std::size_t>(
+                lattice.slot(static_cast<Slot>(kind), lattice.site(row, 0)));
+            double* packed = constants.data() + row * row_size;
+            for (std::ptrdiff_t c = 0; c < columns; ++c) {
+                const auto s = slot + static_cast<std::size_t>(c);
+                double* k = packed + ((c / kLanes) * kKinds + kind) * kConstants * kLanes;
+                k += c % kLanes;
+                k[0] = network.stiffness[s];
+                k[kLanes] = network.stiffness[s] * sheet.rest_length[s];
+                k[2 * kLanes] = network.damping[s];
+            }
+        }
+    }
+    const auto force_rows = static_cast<std::size_t>(kForceRows * pitch);
+    no_forces.assign_zero(force_rows + kLanes);
+    rings.resize(static_cast<std::size_t>(threads));
+    for (AlignedArray& ring : rings)
+        ring.assign_zero(3 * force_rows + static_cast<std::size_t>(5 * pitch));
+    row_damping.assign(rows, 0.0);
+    row_drag.assign(rows, 0.0);
+    extra.prepare(sheet, network);
+}
+
+RowForces::RowForces(const Lattice& lattice, const NodeMotion& motion, const SpringKernel& kernel,
+                     SpringForces& forces, int thread)
+    : lattice_(lattice),
+      motion_(motion),
+      kernel_(kernel),
+      forces_(forces),
+      ring_(forces.rings[static_cast<std::size_t>(thread)].data() + kLanes),
+      total_(ring_ + 3 * kForceRows * forces.pitch),
+      loss_(total_ + 3 * forces.pitch) {}
+
+double* RowForces::kept(Index row) {
+    return ring_ + (row + 3) % 3 * kForceRows * forces_.pitch;
+}
+
+// Springs anchored at `row`, which on a closed sheet may be given as a row before the first.
+void RowForces::evaluate(Index row) {
+    const Index r = (row + lattice_.row_count) % lattice_.row_count;
+    const auto column_0 = [&](Index offset) {
+        const Index other = lattice_.row_at(r, offset);
+        // springs to rows that do not exist have constants 0; any node will do as their end
+        return static_cast<std::ptrdiff_t>(lattice_.site(other == kNone ? r : other, 0));
+    };
+    const std::ptrdiff_t begin[] = {column_0(0), column_0(1), column_0(2)};
+    const std::ptrdiff_t row_size = padded_columns(lattice_.column_count) * kKinds * kConstants;
+    kernel_.evaluate({{motion_.x + begin[0], motion_.x + begin[1], motion_.x + begin[2]},
+                      {motion_.v + begin[0], motion_.v + begin[1], motion_.v + begin[2]},
+                      static_cast<std::ptrdiff_t>(motion_.node_count),
+                      forces_.constants.data() + r * row_size,
+                      lattice_.column_count,
+                      kept(row),
+                      forces_.pitch,
+                      loss_});
+}
+
+void RowForces::start(Index row) {
+    for (const Index above : {row - 2, row - 1}) {
+        if (above >= 0 || lattice_.closed) evaluate(above);
+    }
+}
+
+void RowForces::next(Index row) {
+    evaluate(row);
+    forces_.row_damping[static_cast<std::size_t>(row)] = sum_in_lanes(loss_, lattice_.column_count);
+    const auto rows_above = [&](Index above) -> const double* {
+        const bool exists = above >= 0 || lattice_.closed;
+        return exists ? kept(above) : forces_.no_forces.data() + kLanes;
+    };
+    kernel_.gather({kept(row), rows_above(row - 1), rows_above(row - 2), forces_.pitch,
+                    lattice_.column_count, total_});
 }
 
 }  // namespace ember

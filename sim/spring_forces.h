@@ -2,64 +2,83 @@
 //
 //     F_a = [ k (L - l) + d (v_b - v_a)·n ] n,   F_b = -F_a,   n = (x_b - x_a)/L
 //
-// Whole springs are evaluated as a stencil, one dense loop per slot kind and row without any
-// index list; the others through SpringNetwork::extra. Each spring is computed once and its force
-// stored; nodes then gather their springs in a fixed order, so that the result does not depend on
-// the number of threads.
+// Whole springs are evaluated as a stencil without any index list, a row of the lattice at a time
+// (kernel/spring_kernel.h); the forces of the last three rows are kept, and each node gathers its
+// twelve springs from them in a fixed order. Springs at cuts go through lists (ExtraSprings).
+// Hence the result does not depend on the number of threads.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "sim/aligned_array.h"
+#include "sim/kernel/spring_kernel.h"
 #include "sim/lattice.h"
-#include "sim/parallel.h"
 #include "sim/spring_network.h"
 #include "sim/world_state.h"
 
 namespace ember {
 
-/// Position and velocity of every node, as plain pointers to arrays of N [m], [m/s].
+/// Positions and velocities of N nodes: all x components, then all y, all z; kMotionPadding more
+/// elements can be read after each.
 struct NodeMotion {
-    const double *x, *y, *z, *vx, *vy, *vz;
+    const double* x;         ///< [m], 3N
+    const double* v;         ///< [m/s], 3N
+    std::size_t node_count;  ///< N
 };
 
-/// Scratch of the force evaluation.
+/// Springs that do not connect two first copies, as arrays over the list SpringNetwork::extra.
+struct ExtraSprings {
+    std::vector<Index> a, b;                          ///< nodes, X
+    std::vector<double> stiffness, tension, damping;  ///< k [N/m], k·l [N], d [kg/s], X
+    std::vector<double> x, y, z, loss;                ///< force on end a [N], power lost [W], X
+    std::vector<double> total;                        ///< [N] on nodes: x, y, z; 3N, 0 elsewhere
+
+    /// Sets the constants and sizes everything for N nodes.
+    void prepare(const SheetState& sheet, const SpringNetwork& network);
+    /// Evaluates all springs into `total`; returns the power lost [W].
+    double evaluate(const SpringNetwork& network, const NodeMotion& motion);
+};
+
+/// Scratch of the force evaluation; prepare() once per tick.
 struct SpringForces {
-    /// Force of each slot's dense spring on its end a [N]. Every kind's block is preceded by
-    /// kFront zeros, because nodes of the first two columns ask for springs before them.
-    std::vector<double> x, y, z;                    ///< 6×(kFront + S)
-    std::vector<double> dissipated;                 ///< [J] since begin_tick(), 6×S
-    std::vector<double> extra_x, extra_y, extra_z;  ///< X
-    std::vector<double> extra_dissipated;           ///< X
-    std::vector<double> zeros;                      ///< a row of zeros for rows that do not exist
-    static constexpr std::size_t kFront = 2;
-    [[nodiscard]] static std::size_t offset(const Lattice& lattice, Slot kind, Index row) {
-        const auto block = kFront + static_cast<std::size_t>(lattice.site_count());
-        return static_cast<std::size_t>(kind) * block + kFront +
-               static_cast<std::size_t>(lattice.site(row, 0));
-    }
+    AlignedArray constants;                     ///< packed as SpringRow::constants, row after row
+    std::vector<AlignedArray> rings;            ///< one per thread: forces of three rows, and more
+    AlignedArray no_forces;                     ///< forces of a row that does not exist
+    std::vector<double> row_damping, row_drag;  ///< [W] lost in each row
+    ExtraSprings extra;
+    std::ptrdiff_t pitch = 0;  ///< of the force rows
 
-    /// Sizes the arrays for the network and forgets the dissipation.
-    void begin_tick(const Lattice& lattice, const SpringNetwork& network);
+    /// Packs the network's constants for the sheet's present rest lengths.
+    void prepare(const Lattice& lattice, const SheetState& sheet, const SpringNetwork& network,
+                 int threads);
 };
 
-/// Evaluates every spring for `motion`; adds weight [s] × the power lost in damping to
-/// `dissipated`. A spring of length zero has no direction and exerts no force.
-void evaluate_springs(const Lattice& lattice, const SheetState& sheet, const SpringNetwork& network,
-                      const NodeMotion& motion, double weight, SpringForces& forces,
-                      ThreadPool& pool);
+/// Sums of spring forces along a span of rows, one row at a time from the first to the last.
+class RowForces {
+  public:
+    RowForces(const Lattice& lattice, const NodeMotion& motion, const SpringKernel& kernel,
+              SpringForces& forces, int thread);
+    /// Evaluates the rows above `row` whose springs end in it. Call before next(row).
+    void start(Index row);
+    /// Evaluates the springs anchored at `row` and gathers the forces on its nodes; rows must
+    /// follow each other. The damping of the row's springs goes to SpringForces::row_damping.
+    void next(Index row);
+    /// Forces on the nodes of the last row [N]; axis 0, 1, 2; one element per column.
+    [[nodiscard]] double* force(int axis) { return total_ + axis * forces_.pitch; }
 
-/// Sum of the evaluated spring forces on the nodes of one lattice row (dense springs only);
-/// fx, fy, fz have one entry per column and are overwritten [N].
-void gather_row(const Lattice& lattice, const SpringForces& forces, Index row, double* fx,
-                double* fy, double* fz);
+  private:
+    void evaluate(Index row);
+    [[nodiscard]] double* kept(Index row);
 
-/// Force of the extra springs on `node` [N].
-[[nodiscard]] Vector3 gather_extra(const SpringNetwork& network, const SpringForces& forces,
-                                   std::size_t node);
+    const Lattice& lattice_;
+    const NodeMotion& motion_;
+    const SpringKernel& kernel_;
+    SpringForces& forces_;
+    double *ring_, *total_, *loss_;
+};
 
-/// Elastic energy ½ Σ k (L - l)² [J].
-[[nodiscard]] double elastic_energy(const Lattice& lattice, const SheetState& sheet,
-                                    const SpringNetwork& network);
+/// Σ of `count` numbers in a fixed order that vectorises: eight sums of every eighth, then theirs.
+[[nodiscard]] double sum_in_lanes(const double* values, std::ptrdiff_t count);
 
 }  // namespace ember

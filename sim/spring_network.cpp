@@ -74,24 +74,31 @@ void add_spring(Index a, Index b, Index slot, std::array<Index, 2> ends, double 
     }
 }
 
-void index_ends(std::size_t node_count, SpringNetwork& network) {
-    network.end_begin.assign(node_count + 1, 0);
-    for (const ExtraSpring& s : network.extra) {
-        ++network.end_begin[static_cast<std::size_t>(s.a) + 1];
-        ++network.end_begin[static_cast<std::size_t>(s.b) + 1];
-    }
-    for (std::size_t n = 0; n < node_count; ++n)
-        network.end_begin[n + 1] += network.end_begin[n];
-    network.ends.resize(2 * network.extra.size());
-    std::vector<Index> next(network.end_begin.begin(), network.end_begin.end() - 1);
+// Sorts the ends by node; only the few nodes that have any are listed.
+void index_ends(SpringNetwork& network) {
+    struct NodeEnd {
+        Index node;
+        ExtraEnd end;
+    };
+    std::vector<NodeEnd> found;
+    found.reserve(2 * network.extra.size());
     for (std::size_t x = 0; x < network.extra.size(); ++x) {
-        const auto place = [&](Index node, double sign) {
-            Index& at = next[static_cast<std::size_t>(node)];
-            network.ends[static_cast<std::size_t>(at++)] = {static_cast<Index>(x), sign};
-        };
-        place(network.extra[x].a, 1.0);
-        place(network.extra[x].b, -1.0);
+        found.push_back({network.extra[x].a, {static_cast<Index>(x), 1.0}});
+        found.push_back({network.extra[x].b, {static_cast<Index>(x), -1.0}});
     }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const NodeEnd& p, const NodeEnd& q) { return p.node < q.node; });
+    network.end_nodes.clear();
+    network.end_begin.clear();
+    network.ends.clear();
+    for (const NodeEnd& f : found) {
+        if (network.end_nodes.empty() || network.end_nodes.back() != f.node) {
+            network.end_nodes.push_back(f.node);
+            network.end_begin.push_back(static_cast<Index>(network.ends.size()));
+        }
+        network.ends.push_back(f.end);
+    }
+    network.end_begin.push_back(static_cast<Index>(network.ends.size()));
 }
 
 double mass_fraction(const SheetState& sheet, Index node) {
@@ -123,7 +130,7 @@ void rebuild_network(const Lattice& lattice, const SheetState& sheet, SpringNetw
             }
         }
     }
-    index_ends(sheet.mass.size(), network);
+    index_ends(network);
     network.topology_version = sheet.topology_version;
 }
 

@@ -28,7 +28,8 @@ struct ExtraEnd {
 struct SpringNetwork {
     std::vector<double> weight;      ///< [1] dense share of each slot, 6×S
     std::vector<ExtraSpring> extra;  ///< X
-    std::vector<Index> end_begin;    ///< N+1: node n has ends[end_begin[n] .. [n+1]]
+    std::vector<Index> end_nodes;    ///< E: the nodes that have extra springs, ascending
+    std::vector<Index> end_begin;    ///< E+1: end_nodes[i] has ends[end_begin[i] .. [i+1]]
     std::vector<ExtraEnd> ends;      ///< 2X
     // for the present masses; see weaken_springs()
     std::vector<double> stiffness, damping;              ///< [N/m], [kg/s], 6×S

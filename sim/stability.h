@@ -1,26 +1,44 @@
 // How large a sub-step may be: a bound on the fastest motion of the lattice, computed, not guessed.
 #pragma once
 
-#include "sim/integrator.h"
-#include "sim/spring_network.h"
+#include <array>
+
+#include "sim/mechanics.h"
 
 namespace ember {
 
-/// Largest |λ| dt for which RK4 is stable at every damping ratio; 2.83 holds only undamped.
-inline constexpr double kRungeKuttaLimit = 2.6;
+/// The fastest motions that the sheet as it stands is capable of, linearised.
+struct FastestMotion {
+    double omega = 0;  ///< [1/s] no undamped mode oscillates faster
+    double gamma = 0;  ///< [1/s] no motion is damped faster
 
-/// Upper bound on |λ| [1/s] of the linearised motion of the sheet as it stands, by block
-/// Gershgorin on the mass-scaled stiffness and damping matrices. With D_i the 3×3 block of node i,
-///
-///     ω² <= max_i ( |D_i| / m_i + Σ_j |K_ij| / sqrt(m_i m_j) ),   γ likewise,
-///     |λ| <= (γ + sqrt(γ² + 4 ω²)) / 2.
-///
-/// Stretch enters through the transverse stiffness k (1 - l/L) of each spring, taken by its size;
-/// held nodes do not move and drop out. Valid for any mass, stretch and topology.
-[[nodiscard]] double spectral_bound(const Lattice& lattice, const SheetState& sheet,
-                                    const SpringNetwork& network, const NodeLoads& loads);
+    /// Upper bound on the size of every eigenvalue: |λ|² = ω² of a mode that oscillates, and
+    /// |λ| <= γ of one that does not.
+    [[nodiscard]] double rate() const { return omega > gamma ? omega : gamma; }
+};
 
-/// Sub-steps that a tick of `dt` [s] needs: at least `least`, and |λ| dt <= safety · 2.6 each.
-[[nodiscard]] double substeps_needed(double bound, double dt, double safety, int least);
+/// Scratch of find_fastest_motion().
+struct StabilityScratch {
+    std::vector<double> root;                   ///< [kg^-1/2] 1/√m, N
+    std::array<std::vector<double>, 7> blocks;  ///< stiffness xx xy xz yy yz zz, damping; N
+    std::array<std::vector<double>, 7> row;     ///< the same of one row of springs
+};
+
+/// Bounds ω and γ of the sheet at its present positions. Of a spring with stiffness matrix K
+/// between nodes a and b, the energy of any displacement u obeys, in mass-scaled coordinates,
+///
+///     (u_a/√m_a - u_b/√m_b)ᵀ K (..) <= Σ_{i = a, b} (1/√m_a + 1/√m_b)/√m_i · u_iᵀ K u_i
+///
+/// (Cauchy-Schwarz), so ω² is at most the largest eigenvalue of the 3×3 blocks
+/// D_i = 1/√m_i Σ_springs (1/√m_a + 1/√m_b) K, and γ² likewise with the damping. For the uniform
+/// sheet that is 5 % above the exact ω. K = k nnᵀ + min(|k - kl/L|, k)(I - nnᵀ): stretch stiffens
+/// across the spring; compression, which buckles, counts by its size. Held nodes drop out. Valid
+/// for any mass, stretch and topology.
+[[nodiscard]] FastestMotion find_fastest_motion(const Lattice& lattice, const SheetState& sheet,
+                                                const SpringNetwork& network,
+                                                const NodeLoads& loads, StabilityScratch& scratch);
+
+/// Longest stable sub-step [s] of `integrator` for such motion; +inf for implicit ones.
+[[nodiscard]] double stable_step(IntegratorKind integrator, const FastestMotion& fastest);
 
 }  // namespace ember

@@ -38,7 +38,9 @@ class StageObserver {
 struct StepCounters {
     std::int64_t particles_born = 0, particles_moved = 0;
     std::int64_t coupling_pairs = 0;  ///< node-particle distances looked at
-    std::int64_t substeps = 0, right_hand_sides = 0, spring_evaluations = 0;
+    std::int64_t substeps = 0, substeps_rejected = 0;
+    std::int64_t right_hand_sides = 0, spring_evaluations = 0;
+    std::int64_t solver_iterations = 0;  ///< of the implicit integrator's linear systems
     std::int64_t heat_substeps = 0, heat_nodes = 0;
     std::int64_t nodes_ignited = 0, nodes_burning = 0, nodes_burnt_out = 0;
     std::int64_t springs_shrunk = 0;

@@ -1,5 +1,6 @@
 #include "sim/tick.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/burning.h"
@@ -53,29 +54,53 @@ void run_coupling(const Tick& t, StepCounters& counters) {
                 counters);
 }
 
-// Section 4.1. Returns false when no bounded number of sub-steps is stable.
+// How to divide the tick for one sheet; substeps is 0 when no bounded number is stable.
+StepControl plan_steps(const Tick& t, const SheetState& sheet, SheetWorkspace& w) {
+    const NumericsParams& n = t.params.numerics;
+    StepControl control{.integrator = n.integrator, .dt = t.dt};
+    if (control.integrator == IntegratorKind::Auto) {
+        control.integrator = IntegratorKind::VelocityVerlet;
+    }
+    const double step =
+        n.safety * stable_step(control.integrator, find_fastest_motion(w.lattice, sheet, w.network,
+                                                                       w.loads, w.stability));
+    double needed = std::max(1.0 * n.substeps_min, std::ceil(t.dt / step));
+    if (has_error_control(control.integrator)) {
+        needed = n.substeps_min;
+        control.tolerance = n.tolerance / t.refine;
+        control.first_step = step;
+    }
+    needed *= t.refine;
+    control.substeps = needed <= kMostSubsteps ? static_cast<std::int64_t>(needed) : 0;
+    return control;
+}
+
+// Section 4.1. Returns false when the sheet cannot be moved.
 bool run_springs(const Tick& t, StepReport& report) {
     const StageScope scope(t.observer, Stage::Springs);
     for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
         SheetState& sheet = t.state.sheets[s];
         SheetWorkspace& w = t.work.sheets[s];
+        report.sheet = static_cast<Index>(s);
         gather_loads(t.params, sheet, t.work.fire[s], w.loads);
-        const double bound = spectral_bound(w.lattice, sheet, w.network, w.loads);
-        const double needed = t.refine * substeps_needed(bound, t.dt, t.params.numerics.safety,
-                                                         t.params.numerics.substeps_min);
-        if (!(needed <= kMostSubsteps)) {
-            report.sheet = static_cast<Index>(s);
-            report.reason = "a stable sub-step would be " + std::to_string(t.dt / needed) + " s";
+        const StepControl control = plan_steps(t, sheet, w);
+        if (control.substeps == 0) {
+            report.reason = "a stable sub-step would be shorter than a millionth of the tick";
             return false;
         }
-        const auto substeps = static_cast<std::int64_t>(needed);
-        const TickWork work = integrate(w.lattice, sheet, w.network, w.loads, t.dt, substeps,
-                                        w.forces, w.integration, t.pool, report.counters);
-        report.counters.substeps += substeps;
+        w.forces.prepare(w.lattice, sheet, w.network, t.pool.size());
+        const TickWork work = integrate({w.lattice, sheet, w.network, w.loads, w.forces, t.pool,
+                                         spring_kernel(t.params.numerics.arithmetic)},
+                                        sheet, control, w.integration, report.counters);
+        if (work.failure != nullptr) {
+            report.reason = work.failure;
+            return false;
+        }
         t.state.energy.work_fire += work.fire;
         t.state.energy.loss_damping += work.damping;
         t.state.energy.loss_drag += work.drag;
     }
+    report.sheet = kNone;
     (void)energy_change(t);  // accounted for by the work above
     return true;
 }

@@ -10,6 +10,7 @@
 #include "sim/lattice.h"
 #include "sim/spring_forces.h"
 #include "sim/spring_network.h"
+#include "sim/stability.h"
 #include "sim/world_state.h"
 
 namespace ember {
@@ -20,6 +21,7 @@ struct SheetWorkspace {
     SpringNetwork network;  ///< follows the sheet's topology and masses
     NodeLoads loads;
     SpringForces forces;
+    StabilityScratch stability;
     IntegratorScratch integration;
     HeatScratch heat;
     std::vector<Index> burnt_out;  ///< sites that burnt out in this tick

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "sim/energy.h"
 #include "sim/integrator.h"
 #include "sim/lattice.h"
 #include "sim/loads.h"
@@ -43,6 +44,7 @@ struct Rig {
     NodeLoads loads;
     SpringForces forces;
     IntegratorScratch scratch;
+    StabilityScratch stability;
     std::unique_ptr<ThreadPool> pool = std::make_unique<ThreadPool>(1);
     StepCounters counters;
 
@@ -60,15 +62,31 @@ struct Rig {
         gather_loads(params, sheet, {}, loads);
     }
 
-    TickWork run(double dt, std::int64_t substeps) {
-        gather_loads(params, sheet, {}, loads);
-        return integrate(lattice, sheet, network, loads, dt, substeps, forces, scratch, *pool,
-                         counters);
+    TickWork run(double dt, std::int64_t substeps,
+                 IntegratorKind integrator = IntegratorKind::Rk4) {
+        return run({.integrator = integrator, .dt = dt, .substeps = substeps});
     }
 
-    [[nodiscard]] double bound() {
+    TickWork run(const StepControl& control) {
         gather_loads(params, sheet, {}, loads);
-        return spectral_bound(lattice, sheet, network, loads);
+        return integrate(mechanics(), sheet, control, scratch, counters);
+    }
+
+    /// The right-hand side for the present topology, masses and loads.
+    [[nodiscard]] Mechanics mechanics() {
+        forces.prepare(lattice, sheet, network, pool->size());
+        return {lattice,
+                sheet,
+                network,
+                loads,
+                forces,
+                *pool,
+                spring_kernel(params.numerics.arithmetic)};
+    }
+
+    [[nodiscard]] FastestMotion fastest() {
+        gather_loads(params, sheet, {}, loads);
+        return find_fastest_motion(lattice, sheet, network, loads, stability);
     }
 
     [[nodiscard]] std::size_t site(Index row, Index column) const {

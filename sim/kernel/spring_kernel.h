@@ -1,0 +1,58 @@
+// The innermost loops of the spring forces, for one row of the lattice, compiled once for every
+// instruction set worth having (spring_kernel_*.cpp).
+//
+// They are written with explicit vectors instead of being left to the compiler because one pass
+// over a row then evaluates all six kinds of springs, loading each node once.
+#pragma once
+
+#include <cstddef>
+
+#include "sim/params.h"
+
+namespace ember {
+
+inline constexpr std::ptrdiff_t kLanes = 8;      ///< columns of a block
+inline constexpr std::ptrdiff_t kKinds = 6;      ///< spring slots of a site, see lattice.h
+inline constexpr std::ptrdiff_t kConstants = 3;  ///< k [N/m], k·l [N], d [kg/s] of a spring
+/// Readable elements that must follow an array of positions or velocities: the last block of the
+/// last row reaches as far.
+inline constexpr std::size_t kMotionPadding = 16;
+
+/// Columns rounded up to whole blocks.
+[[nodiscard]] constexpr std::ptrdiff_t padded_columns(std::ptrdiff_t columns) {
+    return (columns + kLanes - 1) / kLanes * kLanes;
+}
+
+/// One row of springs: those anchored at the row's sites.
+struct SpringRow {
+    const double* x[3];         ///< [m] column 0 of the row, and of the rows one and two below
+    const double* v[3];         ///< [m/s]
+    std::ptrdiff_t node_count;  ///< distance between the components of x and of v
+    /// [block][kind][k, k·l, d][lane]; all 0 for springs that do not exist.
+    const double* constants;
+    std::ptrdiff_t columns;
+    double* force;         ///< [N] on end a: [kind][component] rows of `pitch`
+    std::ptrdiff_t pitch;  ///< padded_columns + kLanes; the kLanes before each row are 0
+    double* loss;          ///< [W] lost in damping by the springs of each column
+};
+
+/// Forces of the springs of three rows, as SpringRow::force: a node's own row and those above.
+struct ForceRows {
+    const double *own, *above, *two_above;
+    std::ptrdiff_t pitch, columns;
+    double* total;  ///< [N] on the nodes of the own row: 3 rows of `pitch`
+};
+
+struct SpringKernel {
+    void (*evaluate)(const SpringRow& row);
+    void (*gather)(const ForceRows& rows);
+};
+
+/// The widest kernel that this processor runs. All exact ones compute the same bits.
+[[nodiscard]] SpringKernel spring_kernel(Arithmetic arithmetic);
+
+/// Exact kernel with the given number of lanes per instruction (2, 4, 8), or the fast one (0), if
+/// this processor runs it; otherwise null functions. For tests and benchmarks.
+[[nodiscard]] SpringKernel spring_kernel_of_width(int lanes);
+
+}  // namespace ember
