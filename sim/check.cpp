@@ -91,18 +91,17 @@ void blame_fastest(const WorldState& state, StepReport& report) {
 
 }  // namespace
 
-void check_state(const WorldState& state, StepReport& report) {
+void check_state(WorldState& state, StepReport& report) {
     for (std::size_t s = 0; s < state.sheets.size(); ++s) {
         if (!check_sheet(state.sheets[s], static_cast<Index>(s), report)) return;
     }
     if (!check_particles(state.fire, report)) return;
-    double scale = 0.0;
-    const double excess = unaccounted_energy(state.energy, scale);
-    if (!(excess <= std::max(kEnergyMargin * scale, kSmallestEnergy))) {
+    const double before = state.energy.unaccounted;
+    if (!settle(state.energy)) {
         blame_fastest(state, report);
         fail(report, Stage::Springs,
              in_joules("%.3g J of mechanical energy came from nowhere (largest term %.3g J)",
-                       excess, scale));
+                       state.energy.unaccounted - before, state.energy.largest));
         return;
     }
     const HeatLedger& h = state.heat;

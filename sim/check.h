@@ -11,6 +11,6 @@ inline constexpr double kHeatMargin = 1e-10;
 
 /// Sets report.status to Diverged, with stage, sheet, node and reason, when a number of the state
 /// is not finite, mechanical energy has come from nowhere, or heat has been lost or made.
-void check_state(const WorldState& state, StepReport& report);
+void check_state(WorldState& state, StepReport& report);
 
 }  // namespace ember

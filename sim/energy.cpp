@@ -83,8 +83,8 @@ void add_energy(const Lattice& lattice, const WorldParams& world, const SheetSta
 
 double unaccounted_energy(const EnergyLedger& e, double& scale) {
     const double now = e.kinetic + e.elastic + e.gravitational;
-    const double changes = e.work_fire + e.change_ground + e.change_mass + e.change_rest_length +
-                           e.change_topology + e.change_edit;
+    const double changes = e.work_fire + e.change_scheme + e.change_ground + e.change_mass +
+                           e.change_rest_length + e.change_topology + e.change_edit;
     const double losses = e.loss_damping + e.loss_drag;
     // potential energy counts by its change, as its zero is arbitrary
     const double fallen = e.gravitational + e.elastic + e.kinetic - e.initial;
@@ -95,6 +95,20 @@ double unaccounted_energy(const EnergyLedger& e, double& scale) {
         scale = std::max(scale, std::abs(term));
     }
     return now - (e.initial + changes - losses);
+}
+
+bool settle(EnergyLedger& ledger) {
+    constexpr double kSmallest = 1e-12;  // [J] of rounding
+    constexpr double kAlways = 1e-3;     // share of the margin that any tick may use
+    double scale = 0.0;
+    const double excess = unaccounted_energy(ledger, scale);
+    ledger.largest = std::max(ledger.largest, scale);
+    const double margin = 0.5 * kEnergyMargin * ledger.largest;
+    const double allowed =
+        std::max({0.5 * (margin - ledger.unaccounted), kAlways * margin, kSmallest});
+    const bool good = excess - ledger.unaccounted <= allowed;  // false for NaN
+    ledger.unaccounted = excess;
+    return good;
 }
 
 }  // namespace ember

@@ -31,7 +31,12 @@ void add_energy(const Lattice& lattice, const WorldParams& world, const SheetSta
 /// nowhere. `scale` receives the largest of its terms.
 [[nodiscard]] double unaccounted_energy(const EnergyLedger& ledger, double& scale);
 
-/// Share of the largest term by which energy may exceed the ledger before the tick is refused.
+/// Share of the largest term so far by which energy may exceed the ledger.
 inline constexpr double kEnergyMargin = 1e-3;
+
+/// Compares the ledger after a tick with that before and takes the result into it. A tick may use
+/// up half of what is left of the margin, so that a slow drift is refined away before it is all
+/// used, and no tick has to pay for the ones before it. Returns false when it used more.
+[[nodiscard]] bool settle(EnergyLedger& ledger);
 
 }  // namespace ember

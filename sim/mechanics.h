@@ -45,4 +45,16 @@ struct Mechanics {
 /// of threads.
 LostPower accelerate(const Mechanics& mechanics, const double* x, const double* v, double* a);
 
+/// The drift x' = x + h w of a leapfrog step.
+struct Drift {
+    const double* w;  ///< [m/s], 3N + kMotionPadding: velocity that led to x
+    double h;         ///< [s] step; the next drift will be w + h a
+};
+
+/// The same accelerations. The losses are the work that damping and drag do in the discrete
+/// motion: of the damping, on the drift since the last call; of the drag, on the halves of the
+/// drifts before and after. The damping of a tick's first call means nothing.
+LostPower accelerate(const Mechanics& mechanics, const double* x, const double* v, double* a,
+                     const Drift& drift);
+
 }  // namespace ember

@@ -14,22 +14,54 @@ EMBER_VECTORISED void evaluate_listed(std::ptrdiff_t count, const NodeMotion m,
                                       const double* __restrict k, const double* __restrict tension,
                                       const double* __restrict d, double* __restrict fx,
                                       double* __restrict fy, double* __restrict fz,
-                                      double* __restrict loss) {
+                                      double* __restrict loss, double* __restrict friction) {
     const auto n = static_cast<std::ptrdiff_t>(m.node_count);
     const double *x = m.x, *y = m.x + n, *z = m.x + 2 * n;
     const double *vx = m.v, *vy = m.v + n, *vz = m.v + 2 * n;
+    const double *w = m.drift, *wx = w, *wy = w + n, *wz = w + 2 * n;
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const std::ptrdiff_t p = a[i], q = b[i];
         const double dx = x[q] - x[p], dy = y[q] - y[p], dz = z[q] - z[p];
         const double inverse = 1.0 / std::sqrt(dx * dx + dy * dy + dz * dz + 1e-30);
         const double rate =
             ((vx[q] - vx[p]) * dx + (vy[q] - vy[p]) * dy + (vz[q] - vz[p]) * dz) * inverse;
-        const double friction = d[i] * rate;
-        const double scale = k[i] + inverse * (friction - tension[i]);
+        const double slowing = d[i] * rate;
+        const double scale = k[i] + inverse * (slowing - tension[i]);
         fx[i] = scale * dx;
         fy[i] = scale * dy;
         fz[i] = scale * dz;
-        loss[i] = friction * rate;
+        if (w == nullptr) {
+            loss[i] = slowing * rate;
+            continue;
+        }
+        const double drift =
+            ((wx[q] - wx[p]) * dx + (wy[q] - wy[p]) * dy + (wz[q] - wz[p]) * dz) * inverse;
+        loss[i] = 0.5 * (slowing + friction[i]) * drift;
+        friction[i] = slowing;
+    }
+}
+
+// Packs the constants of one kind of springs of a row into every kKinds-th group of a block.
+EMBER_VECTORISED void pack_row(std::ptrdiff_t columns, const double* __restrict stiffness,
+                               const double* __restrict damping, const double* __restrict rest,
+                               double* __restrict packed) {
+    for (std::ptrdiff_t begin = 0; begin < columns;
+         begin += kLanes, packed += kKinds * kConstants * kLanes) {
+        const std::ptrdiff_t lanes = columns - begin < kLanes ? columns - begin : kLanes;
+        if (lanes == kLanes) {  // of known length, so that it becomes a few vector moves
+            for (std::ptrdiff_t i = 0; i < kLanes; ++i) {
+                packed[i] = stiffness[begin + i];
+                packed[kLanes + i] = stiffness[begin + i] * rest[begin + i];
+                packed[2 * kLanes + i] = damping[begin + i];
+            }
+            continue;
+        }
+        for (std::ptrdiff_t i = 0; i < kLanes; ++i) {
+            const bool real = i < lanes;
+            packed[i] = real ? stiffness[begin + i] : 0.0;
+            packed[kLanes + i] = real ? stiffness[begin + i] * rest[begin + i] : 0.0;
+            packed[2 * kLanes + i] = real ? damping[begin + i] : 0.0;
+        }
     }
 }
 
@@ -51,7 +83,7 @@ double sum_in_lanes(const double* values, std::ptrdiff_t count) {
 
 void ExtraSprings::prepare(const SheetState& sheet, const SpringNetwork& network) {
     const std::size_t count = network.extra.size();
-    for (auto* array : {&stiffness, &tension, &damping, &x, &y, &z, &loss})
+    for (auto* array : {&stiffness, &tension, &damping, &x, &y, &z, &loss, &friction})
         array->resize(count);
     a.resize(count);
     b.resize(count);
@@ -70,7 +102,7 @@ double ExtraSprings::evaluate(const SpringNetwork& network, const NodeMotion& mo
     const auto count = static_cast<std::ptrdiff_t>(a.size());
     if (count == 0) return 0.0;
     evaluate_listed(count, motion, a.data(), b.data(), stiffness.data(), tension.data(),
-                    damping.data(), x.data(), y.data(), z.data(), loss.data());
+                    damping.data(), x.data(), y.data(), z.data(), loss.data(), friction.data());
     const std::size_t n = motion.node_count;
     for (std::size_t t = 0; t < network.end_nodes.size(); ++t) {
         double fx = 0.0, fy = 0.0, fz = 0.0;
@@ -91,24 +123,18 @@ double ExtraSprings::evaluate(const SpringNetwork& network, const NodeMotion& mo
 
 void SpringForces::prepare(const Lattice& lattice, const SheetState& sheet,
                            const SpringNetwork& network, int threads) {
-    const std::ptrdiff_t columns = lattice.column_count;
-    const std::ptrdiff_t padded = padded_columns(columns), row_size = padded * kKinds * kConstants;
+    const std::ptrdiff_t padded = padded_columns(lattice.column_count);
+    const std::ptrdiff_t row_size = padded * kKinds * kConstants;
     pitch = padded + kLanes;
     const auto rows = static_cast<std::size_t>(lattice.row_count);
-    constants.assign_zero(rows * static_cast<std::size_t>(row_size));
-    for (std::ptrdiff_t kind = 0; kind < kKinds; ++kind) {
-        for (Index row = 0; row < lattice.row_count; ++row) {
+    constants.resize(rows * static_cast<std::size_t>(row_size));
+    for (Index row = 0; row < lattice.row_count; ++row) {
+        for (std::ptrdiff_t kind = 0; kind < kKinds; ++kind) {
             const auto slot = static_cast<std::size_t>(
                 lattice.slot(static_cast<Slot>(kind), lattice.site(row, 0)));
-            double* packed = constants.data() + row * row_size;
-            for (std::ptrdiff_t c = 0; c < columns; ++c) {
-                const auto s = slot + static_cast<std::size_t>(c);
-                double* k = packed + ((c / kLanes) * kKinds + kind) * kConstants * kLanes;
-                k += c % kLanes;
-                k[0] = network.stiffness[s];
-                k[kLanes] = network.stiffness[s] * sheet.rest_length[s];
-                k[2 * kLanes] = network.damping[s];
-            }
+            pack_row(lattice.column_count, &network.stiffness[slot], &network.damping[slot],
+                     &sheet.rest_length[slot],
+                     constants.data() + row * row_size + kind * kConstants * kLanes);
         }
     }
     const auto force_rows = static_cast<std::size_t>(kForceRows * pitch);
@@ -116,6 +142,7 @@ void SpringForces::prepare(const Lattice& lattice, const SheetState& sheet,
     rings.resize(static_cast<std::size_t>(threads));
     for (AlignedArray& ring : rings)
         ring.assign_zero(3 * force_rows + static_cast<std::size_t>(5 * pitch));
+    friction.resize(rows * static_cast<std::size_t>(padded * kKinds));
     row_damping.assign(rows, 0.0);
     row_drag.assign(rows, 0.0);
     extra.prepare(sheet, network);
@@ -136,7 +163,7 @@ double* RowForces::kept(Index row) {
 }
 
 // Springs anchored at `row`, which on a closed sheet may be given as a row before the first.
-void RowForces::evaluate(Index row) {
+void RowForces::evaluate(Index row, bool drift) {
     const Index r = (row + lattice_.row_count) % lattice_.row_count;
     const auto column_0 = [&](Index offset) {
         const Index other = lattice_.row_at(r, offset);
@@ -145,24 +172,32 @@ void RowForces::evaluate(Index row) {
     };
     const std::ptrdiff_t begin[] = {column_0(0), column_0(1), column_0(2)};
     const std::ptrdiff_t row_size = padded_columns(lattice_.column_count) * kKinds * kConstants;
-    kernel_.evaluate({{motion_.x + begin[0], motion_.x + begin[1], motion_.x + begin[2]},
-                      {motion_.v + begin[0], motion_.v + begin[1], motion_.v + begin[2]},
-                      static_cast<std::ptrdiff_t>(motion_.node_count),
-                      forces_.constants.data() + r * row_size,
-                      lattice_.column_count,
-                      kept(row),
-                      forces_.pitch,
-                      loss_});
+    const SpringRow springs{{motion_.x + begin[0], motion_.x + begin[1], motion_.x + begin[2]},
+                            {motion_.v + begin[0], motion_.v + begin[1], motion_.v + begin[2]},
+                            static_cast<std::ptrdiff_t>(motion_.node_count),
+                            forces_.constants.data() + r * row_size,
+                            lattice_.column_count,
+                            kept(row),
+                            forces_.pitch,
+                            loss_};
+    if (!drift) return kernel_.evaluate(springs);
+    SpringRow drifting = springs;
+    for (std::size_t i = 0; i < 3; ++i)
+        drifting.drift[i] = motion_.drift + begin[i];
+    drifting.friction =
+        forces_.friction.data() + r * padded_columns(lattice_.column_count) * kKinds;
+    kernel_.evaluate_drift(drifting);
 }
 
 void RowForces::start(Index row) {
     for (const Index above : {row - 2, row - 1}) {
-        if (above >= 0 || lattice_.closed) evaluate(above);
+        // only their forces are wanted: their losses are those of another part
+        if (above >= 0 || lattice_.closed) evaluate(above, false);
     }
 }
 
 void RowForces::next(Index row) {
-    evaluate(row);
+    evaluate(row, motion_.drift != nullptr);
     forces_.row_damping[static_cast<std::size_t>(row)] = sum_in_lanes(loss_, lattice_.column_count);
     const auto rows_above = [&](Index above) -> const double* {
         const bool exists = above >= 0 || lattice_.closed;

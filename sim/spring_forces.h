@@ -25,6 +25,9 @@ struct NodeMotion {
     const double* x;         ///< [m], 3N
     const double* v;         ///< [m/s], 3N
     std::size_t node_count;  ///< N
+    /// [m/s], 3N, velocity of the drift since the last evaluation, or null. When given, losses are
+    /// those of the drift, see SpringKernel::evaluate_drift.
+    const double* drift = nullptr;
 };
 
 /// Springs that do not connect two first copies, as arrays over the list SpringNetwork::extra.
@@ -32,6 +35,7 @@ struct ExtraSprings {
     std::vector<Index> a, b;                          ///< nodes, X
     std::vector<double> stiffness, tension, damping;  ///< k [N/m], k·l [N], d [kg/s], X
     std::vector<double> x, y, z, loss;                ///< force on end a [N], power lost [W], X
+    std::vector<double> friction;                     ///< [N] of the last evaluation, X
     std::vector<double> total;                        ///< [N] on nodes: x, y, z; 3N, 0 elsewhere
 
     /// Sets the constants and sizes everything for N nodes.
@@ -42,9 +46,11 @@ struct ExtraSprings {
 
 /// Scratch of the force evaluation; prepare() once per tick.
 struct SpringForces {
-    AlignedArray constants;                     ///< packed as SpringRow::constants, row after row
-    std::vector<AlignedArray> rings;            ///< one per thread: forces of three rows, and more
-    AlignedArray no_forces;                     ///< forces of a row that does not exist
+    AlignedArray constants;           ///< packed as SpringRow::constants, row after row
+    std::vector<AlignedArray> rings;  ///< one per thread: forces of three rows, and more
+    AlignedArray no_forces;           ///< forces of a row that does not exist
+    AlignedArray friction;            ///< [N] of the last evaluation, as SpringRow::friction
+
     std::vector<double> row_damping, row_drag;  ///< [W] lost in each row
     ExtraSprings extra;
     std::ptrdiff_t pitch = 0;  ///< of the force rows
@@ -68,7 +74,7 @@ class RowForces {
     [[nodiscard]] double* force(int axis) { return total_ + axis * forces_.pitch; }
 
   private:
-    void evaluate(Index row);
+    void evaluate(Index row, bool drift);
     [[nodiscard]] double* kept(Index row);
 
     const Lattice& lattice_;

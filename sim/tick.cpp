@@ -97,6 +97,7 @@ bool run_springs(const Tick& t, StepReport& report) {
             return false;
         }
         t.state.energy.work_fire += work.fire;
+        t.state.energy.change_scheme += work.scheme;
         t.state.energy.loss_damping += work.damping;
         t.state.energy.loss_drag += work.drag;
     }

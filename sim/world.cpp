@@ -13,6 +13,8 @@ namespace ember {
 namespace {
 
 constexpr int kMostRetries = 6;
+constexpr int kMostRefinement = 12;
+constexpr int kRelaxAfter = 8;  // ticks
 
 SheetView view_of(const SheetState& sheet, const SheetPlan& plan, const Lattice& lattice) {
     SheetView view;
@@ -62,16 +64,20 @@ World::~World() = default;
 StepReport World::step(StageObserver* observer) {
     const bool checked = params_.numerics.check;
     if (checked) work_->before = state_;
+    const std::int64_t from = state_.refinement;
     for (int retry = 0;; ++retry) {
-        StepReport report =
-            run_tick({params_, state_, *work_, *pool_, observer, tick_duration(), 1 << retry});
+        StepReport report = run_tick(
+            {params_, state_, *work_, *pool_, observer, tick_duration(), 1 << (from + retry)});
         report.retries = retry;
         if (report.ok()) {
             state_.totals.retries += retry;
+            // what was needed once is likely to be needed again for a while
+            const bool relax = retry == 0 && from > 0 && state_.tick % kRelaxAfter == 0;
+            state_.refinement = from + retry - (relax ? 1 : 0);
             return report;
         }
         if (checked) restore(work_->before);
-        if (!checked || retry == kMostRetries) return report;
+        if (!checked || retry == kMostRetries || from + retry == kMostRefinement) return report;
     }
 }
 

@@ -51,6 +51,9 @@ struct EnergyLedger {
     double initial = 0;                                  ///< kinetic + elastic + gravitational
     double kinetic = 0, elastic = 0, gravitational = 0;  ///< now
     double work_fire = 0;                                ///< by fire particles
+    double change_scheme = 0;                            ///< see TickWork::scheme
+    double unaccounted = 0;                              ///< after the last tick
+    double largest = 0;                                  ///< term of the ledger so far
     double loss_damping = 0, loss_drag = 0;              ///< in springs, to the air; never negative
     double change_ground = 0;                            ///< pieces coming to rest
     double change_mass = 0;                              ///< mass burnt off and springs weakened
@@ -76,7 +79,8 @@ struct Totals {
 
 struct WorldState {
     std::uint64_t tick = 0;
-    double time = 0;  ///< [s]
+    double time = 0;              ///< [s]
+    std::int64_t refinement = 0;  ///< sub-steps are 2^refinement times smaller than the bound asks
     std::vector<SheetState> sheets;
     FireState fire;
     EnergyLedger energy;
@@ -97,7 +101,7 @@ void for_each_field(State& s, Visitor&& visit) {
     const auto vectors = [&visit](const char* name, auto& v) {
         visit(name, v.x), visit(name, v.y), visit(name, v.z);
     };
-    visit("tick", s.tick), visit("time", s.time);
+    visit("tick", s.tick), visit("time", s.time), visit("refinement", s.refinement);
     for (auto& sheet : s.sheets) {
         vectors("sheet.position", sheet.position), vectors("sheet.velocity", sheet.velocity);
         visit("sheet.temperature", sheet.temperature), visit("sheet.mass", sheet.mass);
@@ -117,7 +121,9 @@ void for_each_field(State& s, Visitor&& visit) {
     auto& e = s.energy;
     visit("energy.initial", e.initial), visit("energy.kinetic", e.kinetic);
     visit("energy.elastic", e.elastic), visit("energy.gravitational", e.gravitational);
-    visit("energy.work_fire", e.work_fire), visit("energy.loss_damping", e.loss_damping);
+    visit("energy.work_fire", e.work_fire), visit("energy.change_scheme", e.change_scheme),
+        visit("energy.unaccounted", e.unaccounted);
+    visit("energy.largest", e.largest), visit("energy.loss_damping", e.loss_damping);
     visit("energy.loss_drag", e.loss_drag), visit("energy.change_ground", e.change_ground);
     visit("energy.change_mass", e.change_mass);
     visit("energy.change_rest_length", e.change_rest_length);

@@ -7,8 +7,10 @@
 
 namespace ember {
 
+/// v' = v + h a(x, v), x' = x + h v'. Conserves E + h/2 Σ m v·a of linear forces.
 void semi_implicit_euler(const Mechanics& mechanics, const StepControl& control,
                          IntegratorScratch& scratch, TickWork& work, StepCounters& counters);
+/// Conserves E - h²/8 Σ m a² of linear forces.
 void velocity_verlet(const Mechanics& mechanics, const StepControl& control,
                      IntegratorScratch& scratch, TickWork& work, StepCounters& counters);
 /// With error control where the tableau has an estimate and the tolerance is finite.

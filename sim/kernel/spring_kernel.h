@@ -34,6 +34,10 @@ struct SpringRow {
     double* force;         ///< [N] on end a: [kind][component] rows of `pitch`
     std::ptrdiff_t pitch;  ///< padded_columns + kLanes; the kLanes before each row are 0
     double* loss;          ///< [W] lost in damping by the springs of each column
+    // for evaluate_drift only
+    const double* drift[3] = {};  ///< [m/s] velocity of the last drift, as v
+    double* friction = nullptr;   ///< [N] of the last evaluation, and then of this one:
+                                  ///< [block][kind][lane]
 };
 
 /// Forces of the springs of three rows, as SpringRow::force: a node's own row and those above.
@@ -45,6 +49,9 @@ struct ForceRows {
 
 struct SpringKernel {
     void (*evaluate)(const SpringRow& row);
+    /// The same forces. The loss is the work that the friction, averaged over this evaluation and
+    /// the one before, did on the drift between them: the exact loss of a leapfrog step.
+    void (*evaluate_drift)(const SpringRow& row);
     void (*gather)(const ForceRows& rows);
 };
 

@@ -51,18 +51,26 @@ inline Doubles inverse_root(const Doubles& square) {
 // Positions and velocities of as many nodes as there are lanes.
 struct Ends {
     Doubles x, y, z, u, v, w;
+    Doubles p{}, q{}, r{};  // velocity of the last drift
 };
 
+template <bool kDrift>
 inline Ends ends_at(const SpringRow& row, int below, std::ptrdiff_t column) {
     const double* x = row.x[below] + column;
     const double* v = row.v[below] + column;
     const std::ptrdiff_t n = row.node_count;
-    return {load(x), load(x + n), load(x + 2 * n), load(v), load(v + n), load(v + 2 * n)};
+    Ends ends{load(x), load(x + n), load(x + 2 * n), load(v), load(v + n), load(v + 2 * n)};
+    if constexpr (kDrift) {
+        const double* drift = row.drift[below] + column;
+        ends.p = load(drift), ends.q = load(drift + n), ends.r = load(drift + 2 * n);
+    }
+    return ends;
 }
 
 // Springs from a to b, F = [k (1 - l/L) + d (Δv·Δx)/L²] Δx. Returns the power lost d (Δv·n)².
+template <bool kDrift>
 inline Doubles spring(const double* constants, double* force, std::ptrdiff_t pitch, const Ends& a,
-                      const Ends& b) {
+                      const Ends& b, double* kept) {
     const Doubles dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
     const Doubles inverse = inverse_root(dx * dx + dy * dy + dz * dz);
     const Doubles rate = ((b.u - a.u) * dx + (b.v - a.v) * dy + (b.w - a.w) * dz) * inverse;
@@ -71,9 +79,13 @@ inline Doubles spring(const double* constants, double* force, std::ptrdiff_t pit
     store(force, scale * dx);
     store(force + pitch, scale * dy);
     store(force + 2 * pitch, scale * dz);
-    return friction * rate;
+    if constexpr (!kDrift) return friction * rate;
+    const Doubles mean = 0.5 * (friction + load(kept));
+    store(kept, friction);
+    return mean * (((b.p - a.p) * dx + (b.q - a.q) * dy + (b.r - a.r) * dz) * inverse);
 }
 
+template <bool kDrift>
 void evaluate(const SpringRow& given) {
     const SpringRow row = given;  // a copy that the stores below cannot be thought to change
     const std::ptrdiff_t next_kind = 3 * row.pitch, next_constants = kConstants * kLanes;
@@ -81,17 +93,23 @@ void evaluate(const SpringRow& given) {
         const std::ptrdiff_t block = column / kLanes, lane = column % kLanes;
         const double* k = row.constants + block * kKinds * next_constants + lane;
         double* f = row.force + column;
-        const Ends here = ends_at(row, 0, column), right = ends_at(row, 0, column + 1);
-        const Ends below = ends_at(row, 1, column);
-        Doubles loss = spring(k, f, row.pitch, here, right);
-        loss += spring(k + next_constants, f + next_kind, row.pitch, here, below);
-        loss += spring(k + 2 * next_constants, f + 2 * next_kind, row.pitch, here,
-                       ends_at(row, 1, column + 1));
-        loss += spring(k + 3 * next_constants, f + 3 * next_kind, row.pitch, right, below);
-        loss += spring(k + 4 * next_constants, f + 4 * next_kind, row.pitch, here,
-                       ends_at(row, 0, column + 2));
-        loss += spring(k + 5 * next_constants, f + 5 * next_kind, row.pitch, here,
-                       ends_at(row, 2, column));
+        double* kept = kDrift ? row.friction + block * kKinds * kLanes + lane : nullptr;
+        std::ptrdiff_t kind = 0;
+        const auto add = [&](const Ends& a, const Ends& b) {
+            const Doubles loss = spring<kDrift>(k + kind * next_constants, f + kind * next_kind,
+                                                row.pitch, a, b, kept + kind * kLanes);
+            ++kind;
+            return loss;
+        };
+        const Ends here = ends_at<kDrift>(row, 0, column);
+        const Ends right = ends_at<kDrift>(row, 0, column + 1);
+        const Ends below = ends_at<kDrift>(row, 1, column);
+        Doubles loss = add(here, right);
+        loss += add(here, below);
+        loss += add(here, ends_at<kDrift>(row, 1, column + 1));
+        loss += add(right, below);
+        loss += add(here, ends_at<kDrift>(row, 0, column + 2));
+        loss += add(here, ends_at<kDrift>(row, 2, column));
         store(row.loss + column, loss);
     }
 }
@@ -126,6 +144,6 @@ void gather(const ForceRows& given) {
 }  // namespace
 
 extern const SpringKernel EMBER_KERNEL_NAME;
-const SpringKernel EMBER_KERNEL_NAME{evaluate, gather};
+const SpringKernel EMBER_KERNEL_NAME{evaluate<false>, evaluate<true>, gather};
 
 }  // namespace ember
