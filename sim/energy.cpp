@@ -85,7 +85,7 @@ double unaccounted_energy(const EnergyLedger& e, double& scale) {
     const double now = e.kinetic + e.elastic + e.gravitational;
     const double changes = e.work_fire + e.change_scheme + e.change_ground + e.change_mass +
                            e.change_rest_length + e.change_topology + e.change_edit;
-    const double losses = e.loss_damping + e.loss_drag;
+    const double losses = e.loss_damping + e.loss_drag + e.loss_sleep;
     // potential energy counts by its change, as its zero is arbitrary
     const double fallen = e.gravitational + e.elastic + e.kinetic - e.initial;
     scale = 0.0;

@@ -34,7 +34,7 @@ void prepare(const Mechanics& m, const StepControl& control, IntegratorScratch& 
     const std::size_t needed = accelerations_of(control.integrator);
     if (s.accelerations.size() < needed) s.accelerations.resize(needed);
     for (std::vector<double>& a : s.accelerations)
-        a.resize(count);
+        a.assign(count, 0.0);  // rows that are not moved keep it
     s.error.resize(count);
     s.zeros.assign(count, 0.0);
 }

@@ -38,6 +38,8 @@ EMBER_VECTORISED void add_drag(const NodeLoads& loads, const Run run,
     const double *drag = loads.drag.data() + run.first,
                  *inverse_mass = loads.inverse_mass.data() + run.first;
     double* __restrict fx = f[0], * __restrict fy = f[1], * __restrict fz = f[2];
+    // nothing overlaps, but there are too many arrays for the compiler to check
+#pragma GCC ivdep
     for (std::ptrdiff_t i = 0; i < run.count; ++i) {
         const double across = vx[i] * nx[i] + vy[i] * ny[i] + vz[i] * nz[i];
         const double along = (1.0 - tau) * across, c = drag[i];
@@ -63,6 +65,8 @@ EMBER_VECTORISED void drag_on_drift(const NodeLoads& loads, const Run run,
                  *nz = loads.normal.z.data() + run.first;
     const double *drag = loads.drag.data() + run.first,
                  *inverse_mass = loads.inverse_mass.data() + run.first;
+    // nothing overlaps, but there are too many arrays for the compiler to check
+#pragma GCC ivdep
     for (std::ptrdiff_t i = 0; i < run.count; ++i) {
         const double ux = wx[i] + half * ax[i], uy = wy[i] + half * ay[i],
                      uz = wz[i] + half * az[i];
@@ -129,22 +133,23 @@ LostPower evaluate(const Mechanics& m, const NodeMotion& motion, double* a, cons
     const std::ptrdiff_t columns = m.lattice.column_count;
     LostPower lost;
     lost.damping = m.forces.extra.evaluate(m.network, motion);
-    m.pool.for_parts(m.lattice.row_count, kKinds * columns,
-                     [&](int part, std::ptrdiff_t begin, std::ptrdiff_t end) {
-                         RowForces rows(m.lattice, motion, m.kernel, m.forces, part);
-                         rows.start(static_cast<Index>(begin));
-                         for (auto row = begin; row < end; ++row) {
-                             rows.next(static_cast<Index>(row));
-                             m.forces.row_drag[static_cast<std::size_t>(row)] =
-                                 finish(m, {row * columns, columns}, v, rows.force(0),
-                                        m.forces.pitch, a, drift);
-                         }
-                     });
+    for (const RowSpan& span : m.rows) {
+        const auto run = [&](int part, std::ptrdiff_t begin, std::ptrdiff_t end) {
+            RowForces rows(m.lattice, motion, m.kernel, m.forces, part);
+            rows.start(span.begin + static_cast<Index>(begin));
+            for (auto row = span.begin + begin; row < span.begin + end; ++row) {
+                rows.next(static_cast<Index>(row));
+                m.forces.row_drag[static_cast<std::size_t>(row)] =
+                    finish(m, {row * columns, columns}, v, rows.force(0), m.forces.pitch, a, drift);
+            }
+        };
+        m.pool.for_parts(span.end - span.begin, kKinds * columns, run);
+    }
     for (const double power : m.forces.row_damping)
         lost.damping += power;
     for (const double power : m.forces.row_drag)
         lost.drag += power;
-    if (m.node_count() > static_cast<std::size_t>(m.lattice.site_count())) {
+    if (!m.rows.empty() && m.node_count() > static_cast<std::size_t>(m.lattice.site_count())) {
         lost.drag += accelerate_copies(m, v, a, drift);
     }
     return lost;

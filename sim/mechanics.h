@@ -2,6 +2,8 @@
 // any integrator can call.
 #pragma once
 
+#include <span>
+
 #include "sim/lattice.h"
 #include "sim/parallel.h"
 #include "sim/spring_forces.h"
@@ -26,6 +28,11 @@ struct LostPower {
     double damping = 0, drag = 0;
 };
 
+/// Rows begin .. end-1 of the lattice.
+struct RowSpan {
+    Index begin, end;
+};
+
 /// Everything that the forces on a sheet depend on besides its motion. Holds references only.
 struct Mechanics {
     const Lattice& lattice;
@@ -35,6 +42,8 @@ struct Mechanics {
     SpringForces& forces;  ///< scratch; SpringForces::prepare() has been called for this tick
     ThreadPool& pool;
     SpringKernel kernel;
+    std::span<const RowSpan> rows;  ///< that are moved, ascending; nodes of others have a = 0 and
+                                    ///< must be at rest. Copies are moved if any row is.
 
     [[nodiscard]] std::size_t node_count() const { return sheet.mass.size(); }
 };

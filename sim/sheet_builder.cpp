@@ -124,6 +124,7 @@ SheetState make_sheet(const SheetPlan& plan, const Lattice& lattice, const Param
     state.held.assign(n, 0);
     state.glue.assign(n, 0);
     state.relief_until.assign(n, 0.0);
+    state.quiet_ticks.assign(static_cast<std::size_t>(lattice.row_count), 0);
     state.rest_length = lattice.initial_length;
     for (Index site = 0; site < lattice.site_count(); ++site) {
         const auto i = static_cast<std::size_t>(site);

@@ -28,6 +28,8 @@ EMBER_VECTORISED void spring_blocks(std::ptrdiff_t count, const Positions p, std
                                     const double* __restrict damping, const double* __restrict rest,
                                     const Blocks& out) {
     double* __restrict xx = out[0], * __restrict xy = out[1], * __restrict xz = out[2], * __restrict yy = out[3], * __restrict yz = out[4], * __restrict zz = out[5], * __restrict dd = out[6];
+    // nothing overlaps, but there are too many arrays for the compiler to check
+#pragma GCC ivdep
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const double dx = p.x[b + i] - p.x[a + i], dy = p.y[b + i] - p.y[a + i],
                      dz = p.z[b + i] - p.z[a + i];
@@ -70,6 +72,8 @@ EMBER_VECTORISED void largest_eigenvalues(std::ptrdiff_t count, const Blocks& in
                                           double* __restrict largest) {
     constexpr int kIterations = 5;
     const double* __restrict xx = in[0], * __restrict xy = in[1], * __restrict xz = in[2], * __restrict yy = in[3], * __restrict yz = in[4], * __restrict zz = in[5];
+    // nothing overlaps, but there are too many arrays for the compiler to check
+#pragma GCC ivdep
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const double trace = xx[i] + yy[i] + zz[i];
         const double s = 1.0 / (trace + 1e-300);

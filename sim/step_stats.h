@@ -40,6 +40,7 @@ struct StepCounters {
     std::int64_t coupling_pairs = 0;  ///< node-particle distances looked at
     std::int64_t substeps = 0, substeps_rejected = 0;
     std::int64_t right_hand_sides = 0, spring_evaluations = 0;
+    std::int64_t rows_asleep = 0;
     std::int64_t solver_iterations = 0;  ///< of the implicit integrator's linear systems
     std::int64_t heat_substeps = 0, heat_nodes = 0;
     std::int64_t nodes_ignited = 0, nodes_burning = 0, nodes_burnt_out = 0;

@@ -10,6 +10,7 @@
 #include "sim/ground.h"
 #include "sim/loads.h"
 #include "sim/shrinkage.h"
+#include "sim/sleep.h"
 #include "sim/stability.h"
 
 namespace ember {
@@ -83,6 +84,9 @@ bool run_springs(const Tick& t, StepReport& report) {
         SheetWorkspace& w = t.work.sheets[s];
         report.sheet = static_cast<Index>(s);
         gather_loads(t.params, sheet, t.work.fire[s], w.loads);
+        t.state.energy.loss_sleep +=
+            find_awake_rows(w.lattice, t.params.numerics, w.loads, sheet, w.awake, report.counters);
+        if (w.awake.empty()) continue;
         const StepControl control = plan_steps(t, sheet, w);
         if (control.substeps == 0) {
             report.reason = "a stable sub-step would be shorter than a millionth of the tick";
@@ -90,7 +94,7 @@ bool run_springs(const Tick& t, StepReport& report) {
         }
         w.forces.prepare(w.lattice, sheet, w.network, t.pool.size());
         const TickWork work = integrate({w.lattice, sheet, w.network, w.loads, w.forces, t.pool,
-                                         spring_kernel(t.params.numerics.arithmetic)},
+                                         spring_kernel(t.params.numerics.arithmetic), w.awake},
                                         sheet, control, w.integration, report.counters);
         if (work.failure != nullptr) {
             report.reason = work.failure;
@@ -113,6 +117,11 @@ void run_ground(const Tick& t, StepCounters& counters) {
     for (SheetState& sheet : t.state.sheets)
         touched += rest_on_ground(sheet, t.dt, counters);
     if (touched > 0) t.state.energy.change_ground += energy_change(t);
+}
+
+void run_rest(const Tick& t) {
+    for (std::size_t s = 0; s < t.state.sheets.size(); ++s)
+        count_quiet_ticks(t.work.sheets[s].lattice, t.params.numerics, t.state.sheets[s]);
 }
 
 // Section 4.2, eqs. 2 and 3. Faster burning is the same heat in less time.
@@ -168,6 +177,8 @@ void run_fracture(const Tick& t, StepCounters& counters) {
     }
     t.state.totals.cuts += counters.cuts;
     if (counters.cuts == 0) return;
+    for (SheetState& sheet : t.state.sheets)
+        wake(sheet);
     refresh_derived(t.params, t.state, t.work);
     t.state.energy.change_topology += energy_change(t);
 }
@@ -187,6 +198,7 @@ StepReport run_tick(const Tick& t) {
         return report;
     }
     run_ground(t, counters);     // pieces come to rest
+    run_rest(t);                 // what rests falls asleep
     run_heat(t, counters);       // Sec. 4.2, eqs. 2 and 3: heat spreads
     run_burning(t, counters);    // Sec. 4.2: unburnt, burning, burnt out
     run_shrinkage(t, counters);  // Sec. 4.3, eq. 4: burning fibres shrink

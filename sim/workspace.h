@@ -20,6 +20,7 @@ struct SheetWorkspace {
     Lattice lattice;        ///< never changes
     SpringNetwork network;  ///< follows the sheet's topology and masses
     NodeLoads loads;
+    std::vector<RowSpan> awake;  ///< rows that are moved in this tick
     SpringForces forces;
     StabilityScratch stability;
     IntegratorScratch integration;

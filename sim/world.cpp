@@ -6,6 +6,7 @@
 #include "sim/parallel.h"
 #include "sim/param_table.h"
 #include "sim/sheet_builder.h"
+#include "sim/sleep.h"
 #include "sim/tick.h"
 #include "sim/workspace.h"
 
@@ -88,6 +89,8 @@ bool World::apply(const Params& params) {
         }
     }
     params_ = params;
+    for (SheetState& sheet : state_.sheets)
+        wake(sheet);
     refresh_derived(params_, state_, *work_);
     state_.energy.change_edit +=
         record_energy(measure_energy(params_, state_, *work_), state_.energy);

@@ -27,6 +27,8 @@ struct SheetState {
     // per lattice site, S
     std::vector<std::uint8_t> glue;    ///< bit d: quads on both sides of edge d share a node
     std::vector<double> relief_until;  ///< [s] no cut at this site before
+    // per lattice row
+    std::vector<Index> quiet_ticks;  ///< ticks that the row has rested, see sleep.h
     // per spring slot, 6×S (see lattice.h)
     std::vector<double> rest_length;  ///< [m]
     // per quad, Q
@@ -54,7 +56,8 @@ struct EnergyLedger {
     double change_scheme = 0;                            ///< see TickWork::scheme
     double unaccounted = 0;                              ///< after the last tick
     double largest = 0;                                  ///< term of the ledger so far
-    double loss_damping = 0, loss_drag = 0;              ///< in springs, to the air; never negative
+    double loss_damping = 0, loss_drag = 0;              ///< in springs, to the air
+    double loss_sleep = 0;                               ///< of rows that fell asleep
     double change_ground = 0;                            ///< pieces coming to rest
     double change_mass = 0;                              ///< mass burnt off and springs weakened
     double change_rest_length = 0;                       ///< shrinking
@@ -111,6 +114,7 @@ void for_each_field(State& s, Visitor&& visit) {
         visit("sheet.site", sheet.site), visit("sheet.held", sheet.held);
         visit("sheet.piece_held", sheet.piece_held), visit("sheet.glue", sheet.glue);
         visit("sheet.relief_until", sheet.relief_until);
+        visit("sheet.quiet_ticks", sheet.quiet_ticks);
         visit("sheet.rest_length", sheet.rest_length), visit("sheet.quads", sheet.quads);
         visit("sheet.topology_version", sheet.topology_version);
     }
@@ -124,7 +128,8 @@ void for_each_field(State& s, Visitor&& visit) {
     visit("energy.work_fire", e.work_fire), visit("energy.change_scheme", e.change_scheme),
         visit("energy.unaccounted", e.unaccounted);
     visit("energy.largest", e.largest), visit("energy.loss_damping", e.loss_damping);
-    visit("energy.loss_drag", e.loss_drag), visit("energy.change_ground", e.change_ground);
+    visit("energy.loss_drag", e.loss_drag), visit("energy.loss_sleep", e.loss_sleep),
+        visit("energy.change_ground", e.change_ground);
     visit("energy.change_mass", e.change_mass);
     visit("energy.change_rest_length", e.change_rest_length);
     visit("energy.change_topology", e.change_topology), visit("energy.change_edit", e.change_edit);

@@ -45,6 +45,7 @@ struct Rig {
     SpringForces forces;
     IntegratorScratch scratch;
     StabilityScratch stability;
+    std::vector<RowSpan> whole;
     std::unique_ptr<ThreadPool> pool = std::make_unique<ThreadPool>(1);
     StepCounters counters;
 
@@ -52,6 +53,7 @@ struct Rig {
         const auto seed = static_cast<std::uint64_t>(p.numerics.seed);
         lattice = make_lattice(scene.sheets[0], p.paper, p.springs, seed, 0);
         sheet = make_sheet(scene.sheets[0], lattice, p, 0);
+        whole = {{0, lattice.row_count}};
         refresh();
     }
 
@@ -81,7 +83,8 @@ struct Rig {
                 loads,
                 forces,
                 *pool,
-                spring_kernel(params.numerics.arithmetic)};
+                spring_kernel(params.numerics.arithmetic),
+                whole};
     }
 
     [[nodiscard]] FastestMotion fastest() {

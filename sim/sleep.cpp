@@ -1,0 +1,95 @@
+#include "sim/sleep.h"
+
+#include <algorithm>
+
+namespace ember {
+namespace {
+
+constexpr Index kReach = 2;  // rows that a spring spans at most
+
+Index row_of(const Lattice& lattice, const SheetState& sheet, std::size_t node) {
+    return lattice.row_of(sheet.site[node]);
+}
+
+bool pushed(const NodeLoads& loads, std::size_t n) {
+    return loads.fire.x[n] != 0 || loads.fire.y[n] != 0 || loads.fire.z[n] != 0;
+}
+
+bool rested(const SheetState& sheet, Index row, const NumericsParams& numerics) {
+    return sheet.quiet_ticks[static_cast<std::size_t>(row)] >= kQuietTime * numerics.tick_rate;
+}
+
+// Rows that have rested, as have those that their springs reach.
+std::vector<bool> find_sleepers(const Lattice& lattice, const NumericsParams& numerics,
+                                const SheetState& sheet) {
+    const auto rows = static_cast<std::size_t>(lattice.row_count);
+    std::vector<bool> asleep(rows, true);
+    bool any_awake = false;
+    for (Index row = 0; row < lattice.row_count; ++row) {
+        if (rested(sheet, row, numerics)) continue;
+        any_awake = true;
+        for (Index offset = -kReach; offset <= kReach; ++offset) {
+            const Index near = lattice.row_at(row, offset);
+            if (near != kNone) asleep[static_cast<std::size_t>(near)] = false;
+        }
+    }
+    if (!any_awake) return asleep;
+    // copies are moved all together, so rows that have some keep awake with them
+    for (auto n = static_cast<std::size_t>(lattice.site_count()); n < sheet.mass.size(); ++n)
+        asleep[static_cast<std::size_t>(row_of(lattice, sheet, n))] = false;
+    return asleep;
+}
+
+double stop(const Lattice& lattice, const std::vector<bool>& asleep, SheetState& sheet) {
+    double kinetic = 0.0;
+    for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
+        if (!asleep[static_cast<std::size_t>(row_of(lattice, sheet, n))]) continue;
+        const Vector3 v = sheet.velocity.at(n);
+        if (v.isZero(0.0)) continue;
+        kinetic += 0.5 * sheet.mass[n] * v.squaredNorm();
+        sheet.velocity.set(n, Vector3::Zero());
+    }
+    return kinetic;
+}
+
+}  // namespace
+
+double find_awake_rows(const Lattice& lattice, const NumericsParams& numerics,
+                       const NodeLoads& loads, SheetState& sheet, std::vector<RowSpan>& awake,
+                       StepCounters& counters) {
+    awake.assign(1, {0, lattice.row_count});
+    if (!(numerics.sleep_speed > 0)) return 0.0;
+    for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
+        if (sheet.phase[n] != Phase::Burning && !pushed(loads, n)) continue;
+        sheet.quiet_ticks[static_cast<std::size_t>(row_of(lattice, sheet, n))] = 0;
+    }
+    const std::vector<bool> asleep = find_sleepers(lattice, numerics, sheet);
+    awake.clear();
+    for (Index row = 0; row < lattice.row_count; ++row) {
+        if (asleep[static_cast<std::size_t>(row)]) {
+            ++counters.rows_asleep;
+        } else if (!awake.empty() && awake.back().end == row) {
+            ++awake.back().end;
+        } else {
+            awake.push_back({row, row + 1});
+        }
+    }
+    return counters.rows_asleep > 0 ? stop(lattice, asleep, sheet) : 0.0;
+}
+
+void count_quiet_ticks(const Lattice& lattice, const NumericsParams& numerics, SheetState& sheet) {
+    if (!(numerics.sleep_speed > 0)) return;
+    for (Index& ticks : sheet.quiet_ticks)
+        ++ticks;
+    const double limit = numerics.sleep_speed * numerics.sleep_speed;
+    for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
+        if (sheet.velocity.at(n).squaredNorm() < limit) continue;
+        sheet.quiet_ticks[static_cast<std::size_t>(row_of(lattice, sheet, n))] = 0;
+    }
+}
+
+void wake(SheetState& sheet) {
+    std::fill(sheet.quiet_ticks.begin(), sheet.quiet_ticks.end(), 0);
+}
+
+}  // namespace ember
