@@ -152,7 +152,7 @@ class Shot {
         }
         if (!options_.stats.empty()) write_file(options_.stats, stats_.json(world_, preset_));
         if (options_.run.quiet) return;
-        std::fprintf(stderr, "state hash: %s\n", hash_text(world_.hash()).c_str());
+        std::fprintf(stderr, "%s\n", labelled_hash(world_).c_str());
     }
 
     void note(const StepReport& report) {

@@ -58,7 +58,7 @@ void print_summary(const World& world, const StatsRecorder& stats) {
     std::printf("cuts: %lld, ticks retried: %lld\n",
                 static_cast<long long>(world.state().totals.cuts),
                 static_cast<long long>(world.state().totals.retries));
-    std::printf("state hash: %s\n", hash_text(world.hash()).c_str());
+    std::printf("%s\n", labelled_hash(world).c_str());
 }
 
 // A run while it goes on.

@@ -24,21 +24,17 @@ Json stages(const std::array<double, kStageCount>& ms) {
     return out;
 }
 
-Json work(const StepCounters& c) {
-    return {{"particles_born", c.particles_born},
-            {"particles_moved", c.particles_moved},
-            {"coupling_pairs", c.coupling_pairs},
-            {"right_hand_sides", c.right_hand_sides},
-            {"spring_evaluations", c.spring_evaluations},
-            {"heat_substeps", c.heat_substeps},
-            {"heat_nodes", c.heat_nodes},
-            {"nodes_ignited", c.nodes_ignited},
-            {"nodes_burning", c.nodes_burning},
-            {"nodes_burnt_out", c.nodes_burnt_out},
-            {"springs_shrunk", c.springs_shrunk},
-            {"cuts", c.cuts},
-            {"nodes_added", c.nodes_added},
-            {"ground_contacts", c.ground_contacts}};
+Json work(const StepCounters& counters) {
+    Json out;
+    for_each_counter(counters, [&](const char* name, std::int64_t count) { out[name] = count; });
+    return out;
+}
+
+// Name of a value of a parameter that is a choice.
+template <class Choice>
+std::string choice_name(std::string_view key, Choice value) {
+    const ParamInfo* row = find_param(sim_param_rows(), key);
+    return std::string(row->choices[static_cast<std::size_t>(value)]);
 }
 
 Json nodes(const PhaseCounts& counts) {
@@ -58,6 +54,7 @@ Json frame(const TickStats& t) {
             {"emitters", t.emitters},
             {"cuts", t.cuts},
             {"substeps", t.work.substeps},
+            {"integrator", choice_name("numerics.integrator", t.integrator)},
             {"retries", t.retries},
             {"ms", stages(t.ms)},
             {"work", work(t.work)}};
@@ -71,6 +68,8 @@ Json energy_ledger(const EnergyLedger& e) {
             {"work_fire", e.work_fire},
             {"loss_damping", e.loss_damping},
             {"loss_drag", e.loss_drag},
+            {"loss_sleep", e.loss_sleep},
+            {"change_scheme", e.change_scheme},
             {"change_ground", e.change_ground},
             {"change_mass", e.change_mass},
             {"change_rest_length", e.change_rest_length},
@@ -107,6 +106,11 @@ PhaseCounts count_phases(const WorldState& state) {
     return counts;
 }
 
+std::string labelled_hash(const World& world) {
+    const bool fast = world.params().numerics.arithmetic == Arithmetic::Fast;
+    return (fast ? "fast state hash: " : "state hash: ") + hash_text(world.hash());
+}
+
 std::string hash_text(std::uint64_t hash) {
     char text[17];
     std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
@@ -136,6 +140,7 @@ void StatsRecorder::record(const World& world, const StepReport& report) {
     t.cuts = state.totals.cuts;
     t.retries = report.retries;
     t.work = report.counters;
+    t.integrator = report.integrator;
     t.ms = clock_.milliseconds();
     clock_.reset();
     ticks_.push_back(t);
@@ -192,7 +197,8 @@ std::string StatsRecorder::json(const World& world, const LoadedPreset& preset) 
                           {"mean_ms", stages(mean_ms())},
                           {"energy", energy_ledger(state.energy)},
                           {"heat", heat_ledger(state.heat)}};
-    document["state_hash"] = hash_text(world.hash());
+    const bool fast = world.params().numerics.arithmetic == Arithmetic::Fast;
+    document[fast ? "fast_state_hash" : "state_hash"] = hash_text(world.hash());
     return document.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

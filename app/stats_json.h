@@ -29,6 +29,7 @@ struct TickStats {
     std::int64_t particles = 0, emitters = 0, cuts = 0;  // cuts since t = 0
     int retries = 0;
     StepCounters work;
+    IntegratorKind integrator = IntegratorKind::Auto;
     std::array<double, kStageCount> ms{};
 };
 
@@ -52,6 +53,10 @@ class StatsRecorder {
     StageClock clock_;
     std::vector<TickStats> ticks_;
 };
+
+/// "state hash: ", or "fast state hash: " with fast arithmetic, whose bits are others and depend on
+/// the processor, and the hash.
+[[nodiscard]] std::string labelled_hash(const World& world);
 
 /// 16 hexadecimal digits.
 [[nodiscard]] std::string hash_text(std::uint64_t hash);

@@ -149,7 +149,7 @@ enum class Arithmetic : std::uint8_t { Exact, Fast };
 /// How the equations are solved.
 struct NumericsParams {
     double tick_rate = 60.0;  // [1/s]
-    IntegratorKind integrator = IntegratorKind::Rk4;
+    IntegratorKind integrator = IntegratorKind::Auto;
     double tolerance = 1e-6;  // [m] of a sub-step, for integrators that choose their own
     double safety = 0.9;      // [1] of the stability bound
     int substeps_min = 1;

@@ -138,6 +138,14 @@ FastestMotion find_fastest_motion(const Lattice& lattice, const SheetState& shee
     return fastest;
 }
 
+IntegratorKind choose_integrator(const NumericsParams& numerics, const FastestMotion& fastest,
+                                 double dt) {
+    constexpr double kMostSubsteps = 2000;
+    if (numerics.integrator != IntegratorKind::Auto) return numerics.integrator;
+    const double step = numerics.safety * stable_step(IntegratorKind::VelocityVerlet, fastest);
+    return dt > kMostSubsteps * step ? IntegratorKind::Rosenbrock : IntegratorKind::VelocityVerlet;
+}
+
 double stable_step(IntegratorKind integrator, const FastestMotion& fastest) {
     constexpr double kForever = std::numeric_limits<double>::infinity();
     const double w = fastest.omega, g = fastest.gamma;

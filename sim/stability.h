@@ -38,6 +38,14 @@ struct StabilityScratch {
                                                 const SpringNetwork& network,
                                                 const NodeLoads& loads, StabilityScratch& scratch);
 
+/// What numerics.integrator = auto stands for in a tick of `dt` [s]: velocity_verlet, which needs
+/// the fewest right-hand sides per second for the motion of a sheet, unless it would take more
+/// than 2000 sub-steps; that happens where a few nodes are very light, which rosenbrock's
+/// preconditioner takes care of. For an evenly stiff sheet its conjugate gradients need about as
+/// many products as Verlet needs steps, so it is never the cheaper one.
+[[nodiscard]] IntegratorKind choose_integrator(const NumericsParams& numerics,
+                                               const FastestMotion& fastest, double dt);
+
 /// Longest stable sub-step [s] of `integrator` for such motion; +inf for implicit ones.
 [[nodiscard]] double stable_step(IntegratorKind integrator, const FastestMotion& fastest);
 

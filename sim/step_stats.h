@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/params.h"
 #include "sim/types.h"
 
 namespace ember {
@@ -48,6 +49,22 @@ struct StepCounters {
     std::int64_t cuts = 0, nodes_added = 0, ground_contacts = 0;
 };
 
+/// Calls visit(name, count) for every counter.
+template <class Counters, class Visitor>
+void for_each_counter(Counters& c, Visitor&& visit) {
+    visit("particles_born", c.particles_born), visit("particles_moved", c.particles_moved);
+    visit("coupling_pairs", c.coupling_pairs);
+    visit("substeps", c.substeps), visit("substeps_rejected", c.substeps_rejected);
+    visit("right_hand_sides", c.right_hand_sides);
+    visit("spring_evaluations", c.spring_evaluations);
+    visit("rows_asleep", c.rows_asleep), visit("solver_iterations", c.solver_iterations);
+    visit("heat_substeps", c.heat_substeps), visit("heat_nodes", c.heat_nodes);
+    visit("nodes_ignited", c.nodes_ignited), visit("nodes_burning", c.nodes_burning);
+    visit("nodes_burnt_out", c.nodes_burnt_out), visit("springs_shrunk", c.springs_shrunk);
+    visit("cuts", c.cuts), visit("nodes_added", c.nodes_added);
+    visit("ground_contacts", c.ground_contacts);
+}
+
 enum class StepStatus : std::uint8_t { Ok, Diverged };
 
 /// Outcome of one tick.
@@ -59,6 +76,7 @@ struct StepReport {
     double time = 0;                    ///< [s] at the start of the failed tick
     std::string reason;
     StepCounters counters;
+    IntegratorKind integrator = IntegratorKind::Auto;  ///< that moved the last sheet, if any moved
 
     [[nodiscard]] bool ok() const { return status == StepStatus::Ok; }
 };

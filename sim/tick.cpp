@@ -58,13 +58,10 @@ void run_coupling(const Tick& t, StepCounters& counters) {
 // How to divide the tick for one sheet; substeps is 0 when no bounded number is stable.
 StepControl plan_steps(const Tick& t, const SheetState& sheet, SheetWorkspace& w) {
     const NumericsParams& n = t.params.numerics;
-    StepControl control{.integrator = n.integrator, .dt = t.dt};
-    if (control.integrator == IntegratorKind::Auto) {
-        control.integrator = IntegratorKind::VelocityVerlet;
-    }
-    const double step =
-        n.safety * stable_step(control.integrator, find_fastest_motion(w.lattice, sheet, w.network,
-                                                                       w.loads, w.stability));
+    const FastestMotion fastest =
+        find_fastest_motion(w.lattice, sheet, w.network, w.loads, w.stability);
+    StepControl control{.integrator = choose_integrator(n, fastest, t.dt), .dt = t.dt};
+    const double step = n.safety * stable_step(control.integrator, fastest);
     double needed = std::max(1.0 * n.substeps_min, std::ceil(t.dt / step));
     if (has_error_control(control.integrator)) {
         needed = n.substeps_min;
@@ -88,6 +85,7 @@ bool run_springs(const Tick& t, StepReport& report) {
             find_awake_rows(w.lattice, t.params.numerics, w.loads, sheet, w.awake, report.counters);
         if (w.awake.empty()) continue;
         const StepControl control = plan_steps(t, sheet, w);
+        report.integrator = control.integrator;
         if (control.substeps == 0) {
             report.reason = "a stable sub-step would be shorter than a millionth of the tick";
             return false;

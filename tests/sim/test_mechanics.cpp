@@ -1,0 +1,229 @@
+// The right-hand side: every kernel, any number of threads, any span of rows; and sleep.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rig.h"
+#include "sim/random.h"
+#include "sim/topology.h"
+#include "sim/world.h"
+
+namespace ember {
+namespace {
+
+using test::plain;
+using test::Rig;
+
+double random_in(double low, double high, std::uint64_t index) {
+    return low + (high - low) * random_uniform(7, RandomUse::Waviness, 1, index);
+}
+
+// A rumpled, moving sheet in the air.
+Rig rumpled(int rows, int columns, SheetShape shape = SheetShape::Flat) {
+    Params p = plain(rows, columns);
+    p.sheet.shape = shape;
+    p.world.gravity = 9.81;
+    p.world.air_drag = 0.3;
+    p.springs.variation = 0.1;
+    Rig rig(p);
+    for (std::size_t n = 0; n < rig.sheet.mass.size(); ++n) {
+        const auto id = static_cast<std::uint64_t>(8 * n);
+        rig.sheet.position.set(
+            n, rig.sheet.position.at(n) + 0.004 * Vector3(random_in(-1, 1, id),
+                                                          random_in(-1, 1, id + 1),
+                                                          random_in(-1, 1, id + 2)));
+        rig.sheet.velocity.set(n, Vector3(random_in(-1, 1, id + 3), random_in(-1, 1, id + 4),
+                                          random_in(-1, 1, id + 5)));
+    }
+    gather_loads(rig.params, rig.sheet, {}, rig.loads);
+    return rig;
+}
+
+void cut_here_and_there(Rig& rig) {
+    for (Index site = 7; site < rig.lattice.site_count(); site += 11) {
+        cut_site(rig.lattice, rig.sheet, site,
+                 site % 2 == 0 ? CutLine::AlongMain : CutLine::AlongCross);
+    }
+    rig.refresh();
+}
+
+struct Rates {
+    std::vector<double> a;
+    LostPower lost;
+};
+
+Rates rates(Rig& rig, const SpringKernel& kernel, bool drift = false) {
+    Motion motion;
+    motion.read(rig.sheet);
+    Rates out;
+    out.a.assign(3 * rig.sheet.mass.size(), 0.0);
+    Mechanics m = rig.mechanics();
+    m.kernel = kernel;
+    const double *x = motion.x.data(), *v = motion.v.data();
+    if (drift) {
+        (void)accelerate(m, x, v, out.a.data(), {v, 1e-3});
+        out.lost = accelerate(m, x, v, out.a.data(), {v, 1e-3});
+    } else {
+        out.lost = accelerate(m, x, v, out.a.data());
+    }
+    return out;
+}
+
+void expect_same(const Rates& p, const Rates& q) {
+    EXPECT_EQ(p.a, q.a);
+    EXPECT_EQ(p.lost.damping, q.lost.damping);
+    EXPECT_EQ(p.lost.drag, q.lost.drag);
+}
+
+TEST(SpringKernel, EveryWidthComputesTheSameBits) {
+    const SpringKernel narrow = spring_kernel_of_width(2);
+    int compared = 0;
+    for (const int lanes : {4, 8}) {
+        const SpringKernel wide = spring_kernel_of_width(lanes);
+        if (wide.evaluate == nullptr) continue;  // not on this processor
+        for (const int columns : {1, 2, 6, 7, 8, 13, 47}) {
+            for (const bool drift : {false, true}) {
+                Rig rig = rumpled(5, columns);
+                cut_here_and_there(rig);
+                expect_same(rates(rig, narrow, drift), rates(rig, wide, drift));
+                ++compared;
+            }
+        }
+    }
+#ifdef __x86_64__
+    EXPECT_GT(compared + (spring_kernel_of_width(4).evaluate == nullptr ? 1 : 0), 0);
+#endif
+}
+
+TEST(SpringKernel, TheFastOneDiffersByRoundingOnly) {
+    const SpringKernel fast = spring_kernel_of_width(0);
+    if (fast.evaluate == nullptr) GTEST_SKIP() << "this processor has none";
+    Rig rig = rumpled(20, 31);
+    const Rates exact = rates(rig, spring_kernel_of_width(2)), quick = rates(rig, fast);
+    double largest = 0, difference = 0;
+    for (std::size_t i = 0; i < exact.a.size(); ++i) {
+        largest = std::max(largest, std::abs(exact.a[i]));
+        difference = std::max(difference, std::abs(exact.a[i] - quick.a[i]));
+    }
+    EXPECT_LT(difference, 1e-13 * largest);
+    EXPECT_GT(difference, 0);  // it is another path
+    EXPECT_NEAR(quick.lost.damping / exact.lost.damping, 1.0, 1e-13);
+}
+
+TEST(SpringKernel, NodesInOnePlacePullAtNothing) {
+    Rig rig(plain(3, 5));
+    for (std::size_t n = 0; n < rig.sheet.mass.size(); ++n)
+        rig.sheet.position.set(n, Vector3(0.1, 0.2, 0.3));
+    for (const int lanes : {0, 2, 4, 8}) {
+        const SpringKernel kernel = spring_kernel_of_width(lanes);
+        if (kernel.evaluate == nullptr) continue;
+        for (const double a : rates(rig, kernel).a)
+            EXPECT_EQ(a, 0.0);
+    }
+}
+
+TEST(SpringKernel, ADriftThatIsTheVelocityLosesThePower) {
+    // with equal friction before and after, the work on the drift is the power
+    Rig rig = rumpled(9, 17);
+    const SpringKernel kernel = spring_kernel(Arithmetic::Exact);
+    EXPECT_NEAR(rates(rig, kernel, true).lost.damping / rates(rig, kernel).lost.damping, 1.0,
+                1e-14);
+}
+
+TEST(Mechanics, TheNumberOfThreadsChangesNoBit) {
+    for (const SheetShape shape : {SheetShape::Flat, SheetShape::Cylinder}) {
+        Rig rig = rumpled(70, 61, shape);
+        cut_here_and_there(rig);
+        const Rates one = rates(rig, spring_kernel(Arithmetic::Exact), true);
+        for (const int threads : {2, 3, 5}) {
+            rig.pool = std::make_unique<ThreadPool>(threads);
+            expect_same(one, rates(rig, spring_kernel(Arithmetic::Exact), true));
+        }
+    }
+}
+
+TEST(Mechanics, ASpanOfRowsIsMovedAsIfAllWere) {
+    Rig rig = rumpled(12, 9);
+    const Rates all = rates(rig, spring_kernel(Arithmetic::Exact));
+    rig.whole = {{2, 5}, {9, 13}};
+    const Rates some = rates(rig, spring_kernel(Arithmetic::Exact));
+    const std::size_t nodes = rig.sheet.mass.size();
+    for (std::size_t i = 0; i < all.a.size(); ++i) {
+        const Index row = rig.lattice.row_of(static_cast<Index>(i % nodes));
+        const bool moved = (row >= 2 && row < 5) || row >= 9;
+        EXPECT_EQ(some.a[i], moved ? all.a[i] : 0.0);
+    }
+}
+
+// A sheet that hangs still, until a lighter is lit beneath it.
+Params at_rest(double sleep_speed) {
+    Params p;
+    p.sheet.rows = 10;
+    p.sheet.columns = 14;
+    p.sheet.width = 0.06;
+    p.sheet.height = 0.09;
+    p.numerics.sleep_speed = sleep_speed;
+    p.world.air_drag = 3.0;
+    p.lighter.start = 3.0;
+    p.lighter.x = -0.03;
+    p.lighter.y = 0.34;
+    return p;
+}
+
+StepReport advance(World& world, int ticks) {
+    StepReport report;
+    for (int i = 0; i < ticks; ++i) {
+        report = world.step();
+        EXPECT_TRUE(report.ok()) << report.reason;
+    }
+    return report;
+}
+
+TEST(Sleep, ASheetAtRestIsNotMovedUntilTheFireReachesIt) {
+    World world = make_world(at_rest(1e-4));
+    const StepReport resting = advance(world, 170);
+    EXPECT_EQ(resting.counters.right_hand_sides, 0);
+    EXPECT_EQ(resting.counters.rows_asleep, 11);
+    EXPECT_EQ(world.state().energy.kinetic, 0);
+    EXPECT_GT(world.state().energy.loss_sleep, 0);
+    const StepReport lit = advance(world, 60);
+    EXPECT_LT(lit.counters.rows_asleep, 11);
+    EXPECT_GT(lit.counters.right_hand_sides, 0);
+}
+
+TEST(Sleep, ASleeperIsNoFurtherOffThanItsSpeedAllows) {
+    constexpr double kSpeed = 1e-4;
+    World sleeping = make_world(at_rest(kSpeed)), awake = make_world(at_rest(0));
+    for (int tick = 0; tick < 170; ++tick) {
+        advance(sleeping, 1);
+        advance(awake, 1);
+    }
+    double furthest = 0;
+    for (std::size_t n = 0; n < awake.state().sheets[0].mass.size(); ++n) {
+        furthest = std::max(furthest, (awake.state().sheets[0].position.at(n) -
+                                       sleeping.state().sheets[0].position.at(n))
+                                          .norm());
+    }
+    EXPECT_GT(furthest, 0);
+    EXPECT_LT(furthest, kSpeed * 170 / 60.0);
+}
+
+TEST(Sleep, WithoutASpeedNothingSleeps) {
+    World world = make_world(at_rest(0));
+    const StepReport report = advance(world, 170);
+    EXPECT_EQ(report.counters.rows_asleep, 0);
+    EXPECT_GT(report.counters.right_hand_sides, 0);
+}
+
+TEST(Sleep, AChangedParameterWakes) {
+    Params p = at_rest(1e-4);
+    World world = make_world(p);
+    ASSERT_EQ(advance(world, 170).counters.right_hand_sides, 0);
+    p.world.gravity *= 2;
+    ASSERT_TRUE(world.apply(p));
+    EXPECT_GT(advance(world, 1).counters.right_hand_sides, 0);
+}
+
+}  // namespace
+}  // namespace ember
