@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/params.h"
 #include "sim/types.h"
 
 namespace ember {
@@ -40,6 +41,7 @@ struct StepCounters {
     std::int64_t coupling_pairs = 0;  ///< node-particle distances looked at
     std::int64_t substeps = 0, right_hand_sides = 0, spring_evaluations = 0;
     std::int64_t heat_substeps = 0, heat_nodes = 0;
+    std::int64_t heat_guarded = 0;  ///< steps of RKL2 or ADI that overshot and were done again
     std::int64_t nodes_ignited = 0, nodes_burning = 0, nodes_burnt_out = 0;
     std::int64_t springs_shrunk = 0;
     std::int64_t cuts = 0, nodes_added = 0, ground_contacts = 0;
@@ -55,6 +57,7 @@ struct StepReport {
     Index sheet = kNone, node = kNone;  ///< the first bad node, if one is to blame
     double time = 0;                    ///< [s] at the start of the failed tick
     std::string reason;
+    HeatSolverKind heat_solver = HeatSolverKind::Auto;  ///< used last; Auto: all was cold
     StepCounters counters;
 
     [[nodiscard]] bool ok() const { return status == StepStatus::Ok; }
