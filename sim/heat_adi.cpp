@@ -52,16 +52,20 @@ void add_ambient(double* __restrict u, Index count, double ambient) {
         u[c] = ambient + u[c];
 }
 
-void to_lanes(const double* rows, Index count, Index width, double* __restrict lanes) {
-    for (Index c = 0; c < count; ++c) {
-        for (Index j = 0; j < width; ++j)
-            lanes[c * width + j] = rows[j * count + c];
+// to(c, r) = from(r, c), by blocks that fit into a few cache lines on both sides.
+EMBER_VECTORISED
+void transpose(const double* from, Index rows, Index columns, double* __restrict to) {
+    constexpr Index kSide = 8;
+    for (Index r0 = 0; r0 < rows; r0 += kSide) {
+        const Index r1 = std::min(rows, r0 + kSide);
+        for (Index c0 = 0; c0 < columns; c0 += kSide) {
+            const Index c1 = std::min(columns, c0 + kSide);
+            for (Index c = c0; c < c1; ++c) {
+                for (Index r = r0; r < r1; ++r)
+                    to[c * rows + r] = from[r * columns + c];
+            }
+        }
     }
-}
-
-void from_lane(const double* lanes, Index count, Index width, double* __restrict row) {
-    for (Index c = 0; c < count; ++c)
-        row[c] = lanes[c * width];
 }
 
 void prepare(const Conduction& op, double k, AdiScratch& w) {
@@ -77,7 +81,7 @@ void prepare(const Conduction& op, double k, AdiScratch& w) {
     w.explicit_part.resize(columns * kStripRows);
     w.lanes.resize(columns * kStripRows);
     w.largest.resize(columns);
-    w.row.resize(columns);
+    w.solved.resize(columns * kStripRows);
 }
 
 bool all_set(const std::vector<std::uint8_t>& flags, Index first, Index count) {
@@ -99,17 +103,17 @@ void solve_rows(const HeatStep& step, const Scheme& scheme, Index first, Index w
                      &op.per_capacity[at], &w.explicit_part[op.row_begin(j)], count, step.ambient,
                      scheme.explicit_half ? scheme.k : 0.0);
     }
-    to_lanes(w.explicit_part.data(), count, width, w.lanes.data());
+    transpose(w.explicit_part.data(), width, count, w.lanes.data());
     const bool as_model = all_set(op.row_as_model, first, width);
     if (!as_model) factor_rows(op, first, width, scheme.k, w.own_rows);
     solve_lines(as_model ? w.model_row : w.own_rows, w.lanes.data(),
                 static_cast<std::size_t>(width), width);
     const double solved = scheme.explicit_half ? 2.0 : 1.0;
     const double known = scheme.explicit_half ? 1.0 : 0.0;
+    transpose(w.lanes.data(), count, width, w.solved.data());
     for (Index j = 0; j < width; ++j) {
-        from_lane(w.lanes.data() + j, count, width, w.row.data());
-        second_side(w.row.data(), &w.explicit_part[op.row_begin(j)], out + op.row_begin(first + j),
-                    w.largest.data(), count, solved, known);
+        second_side(&w.solved[op.row_begin(j)], &w.explicit_part[op.row_begin(j)],
+                    out + op.row_begin(first + j), w.largest.data(), count, solved, known);
     }
 }
 

@@ -29,7 +29,7 @@ struct AdiScratch {
     std::vector<double> lanes;            ///< [K] the same, by column
     std::vector<double> largest;          ///< [K] largest |u| of every column
     std::vector<std::uint8_t> warm_rows;  ///< per tile row
-    std::vector<double> row;              ///< [K] a row of a strip of columns
+    std::vector<double> solved;           ///< [K] a strip of rows after its solve, by row
 };
 
 /// Scratch of one sheet.
