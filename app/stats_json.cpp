@@ -55,6 +55,7 @@ Json frame(const TickStats& t) {
             {"cuts", t.cuts},
             {"substeps", t.work.substeps},
             {"integrator", choice_name("numerics.integrator", t.integrator)},
+            {"heat_solver", choice_name("numerics.heat_solver", t.heat_solver)},
             {"retries", t.retries},
             {"ms", stages(t.ms)},
             {"work", work(t.work)}};
@@ -141,6 +142,7 @@ void StatsRecorder::record(const World& world, const StepReport& report) {
     t.retries = report.retries;
     t.work = report.counters;
     t.integrator = report.integrator;
+    t.heat_solver = report.heat_solver;
     t.ms = clock_.milliseconds();
     clock_.reset();
     ticks_.push_back(t);

@@ -30,6 +30,7 @@ struct TickStats {
     int retries = 0;
     StepCounters work;
     IntegratorKind integrator = IntegratorKind::Auto;
+    HeatSolverKind heat_solver = HeatSolverKind::Auto;
     std::array<double, kStageCount> ms{};
 };
 

@@ -44,6 +44,7 @@ struct StepCounters {
     std::int64_t rows_asleep = 0;
     std::int64_t solver_iterations = 0;  ///< of the implicit integrator's linear systems
     std::int64_t heat_substeps = 0, heat_nodes = 0;
+    std::int64_t heat_guarded = 0;  ///< steps of RKL2 or ADI that overshot and were done again
     std::int64_t nodes_ignited = 0, nodes_burning = 0, nodes_burnt_out = 0;
     std::int64_t springs_shrunk = 0;
     std::int64_t cuts = 0, nodes_added = 0, ground_contacts = 0;
@@ -59,6 +60,7 @@ void for_each_counter(Counters& c, Visitor&& visit) {
     visit("spring_evaluations", c.spring_evaluations);
     visit("rows_asleep", c.rows_asleep), visit("solver_iterations", c.solver_iterations);
     visit("heat_substeps", c.heat_substeps), visit("heat_nodes", c.heat_nodes);
+    visit("heat_guarded", c.heat_guarded);
     visit("nodes_ignited", c.nodes_ignited), visit("nodes_burning", c.nodes_burning);
     visit("nodes_burnt_out", c.nodes_burnt_out), visit("springs_shrunk", c.springs_shrunk);
     visit("cuts", c.cuts), visit("nodes_added", c.nodes_added);
@@ -75,6 +77,7 @@ struct StepReport {
     Index sheet = kNone, node = kNone;  ///< the first bad node, if one is to blame
     double time = 0;                    ///< [s] at the start of the failed tick
     std::string reason;
+    HeatSolverKind heat_solver = HeatSolverKind::Auto;  ///< used last; Auto: all was cold
     StepCounters counters;
     IntegratorKind integrator = IntegratorKind::Auto;  ///< that moved the last sheet, if any moved
 

@@ -123,7 +123,7 @@ void run_rest(const Tick& t) {
 }
 
 // Section 4.2, eqs. 2 and 3. Faster burning is the same heat in less time.
-void run_heat(const Tick& t, StepCounters& counters) {
+void run_heat(const Tick& t, StepReport& report) {
     const StageScope scope(t.observer, Stage::Heat);
     const double dt = t.dt * t.params.burning.burn_speed;
     const double ambient = t.params.heat.ambient;
@@ -131,8 +131,10 @@ void run_heat(const Tick& t, StepCounters& counters) {
     for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
         SheetState& sheet = t.state.sheets[s];
         SheetWorkspace& w = t.work.sheets[s];
-        conduct_heat(w.lattice, sheet, t.params.paper, ambient, dt, t.refine, w.heat, counters);
-        exchange_heat(sheet, t.params, t.work.fire[s].heating, dt, t.state.heat, counters);
+        const HeatSolverKind used =
+            conduct_heat(sheet, t.params, dt, t.refine, w.heat, report.counters);
+        if (used != HeatSolverKind::Auto) report.heat_solver = used;
+        exchange_heat(sheet, t.params, t.work.fire[s].heating, dt, t.state.heat, report.counters);
         cool_held(sheet, t.params.paper, ambient, t.state.heat);
         t.state.heat.stored += stored_heat(sheet, t.params.paper, ambient);
     }
@@ -197,7 +199,7 @@ StepReport run_tick(const Tick& t) {
     }
     run_ground(t, counters);     // pieces come to rest
     run_rest(t);                 // what rests falls asleep
-    run_heat(t, counters);       // Sec. 4.2, eqs. 2 and 3: heat spreads
+    run_heat(t, report);         // Sec. 4.2, eqs. 2 and 3: heat spreads
     run_burning(t, counters);    // Sec. 4.2: unburnt, burning, burnt out
     run_shrinkage(t, counters);  // Sec. 4.3, eq. 4: burning fibres shrink
     run_fracture(t, counters);   // Sec. 4.4: burnt fibres break
@@ -217,7 +219,7 @@ void refresh_derived(const Params& params, const WorldState& state, Workspace& w
         SheetWorkspace& w = work.sheets[s];
         if (w.network.topology_version != sheet.topology_version) {
             rebuild_network(w.lattice, sheet, w.network);
-            rebuild_conduction(w.lattice, sheet, w.network, params.paper, w.heat);
+            rebuild_heat(w.lattice, sheet, w.network, params.paper, w.heat);
         }
         weaken_springs(w.lattice, sheet, params.springs.follows_mass, w.network);
     }

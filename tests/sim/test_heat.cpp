@@ -19,7 +19,7 @@ constexpr double kPi = std::numbers::pi;
 
 HeatScratch conduction(Rig& rig) {
     HeatScratch scratch;
-    rebuild_conduction(rig.lattice, rig.sheet, rig.network, rig.params.paper, scratch);
+    rebuild_heat(rig.lattice, rig.sheet, rig.network, rig.params.paper, scratch);
     return scratch;
 }
 
@@ -45,6 +45,7 @@ double diffusivity(const PaperParams& p) {
 // Relative L2 error of mode (2, 1) against the exact solution of the equation after 0.5 s.
 double pde_error(int cells) {
     Params params = plain(cells, cells);
+    params.numerics.heat_solver = HeatSolverKind::Ftcs;
     params.sheet.width = params.sheet.height = 0.2;
     Rig rig(params);
     HeatScratch scratch = conduction(rig);
@@ -53,7 +54,7 @@ double pde_error(int cells) {
     // steps far below the limit, so that the error of space is what is left
     constexpr int kRefine = 64;
     constexpr double kTime = 0.5;
-    conduct_heat(rig.lattice, rig.sheet, params.paper, kAmbient, kTime, kRefine, scratch, counters);
+    conduct_heat(rig.sheet, params, kTime, kRefine, scratch, counters);
     const double decay =
         std::exp(-diffusivity(params.paper) * (4 + 1) * kPi * kPi / (0.2 * 0.2) * kTime);
     double error = 0, norm = 0;
@@ -71,18 +72,19 @@ double pde_error(int cells) {
 TEST(Heat, EveryStepMultipliesADiscreteModeByItsExactFactor) {
     Params params = plain(12, 20);
     params.sheet.width = 0.21;  // dx and dz differ
+    params.numerics.heat_solver = HeatSolverKind::Ftcs;
     Rig rig(params);
     HeatScratch scratch = conduction(rig);
-    set_mode(rig, 3, 2, 100.0);
-    const double dt = 0.5 / scratch.most_per_capacity;
+    set_mode(rig, 1, 1, 100.0);
+    const double dt = 0.5 / scratch.conduction.most_per_capacity;
     const double alpha = diffusivity(params.paper);
-    const double sx = std::sin(3 * kPi / (2.0 * 20)), sz = std::sin(2 * kPi / (2.0 * 12));
+    const double sx = std::sin(kPi / (2.0 * 20)), sz = std::sin(kPi / (2.0 * 12));
     const double dx = rig.lattice.column_spacing, dz = rig.lattice.row_spacing;
     const double factor = 1 - 4 * alpha * dt * (sx * sx / (dx * dx) + sz * sz / (dz * dz));
     StepCounters counters;
-    constexpr int kSteps = 40;
+    constexpr int kSteps = 400;
     for (int i = 0; i < kSteps; ++i) {
-        conduct_heat(rig.lattice, rig.sheet, params.paper, kAmbient, dt, 1, scratch, counters);
+        conduct_heat(rig.sheet, params, dt, 1, scratch, counters);
     }
     ASSERT_EQ(counters.heat_substeps, kSteps);
     const double amplitude = 100.0 * std::pow(factor, kSteps);
@@ -90,11 +92,11 @@ TEST(Heat, EveryStepMultipliesADiscreteModeByItsExactFactor) {
     double worst = 0;
     for (Index r = 0; r < rig.lattice.row_count; ++r) {
         for (Index c = 0; c < rig.lattice.column_count; ++c) {
-            const double exact = kAmbient + 400.0 + amplitude * mode(rig, 3, 2, r, c);
+            const double exact = kAmbient + 400.0 + amplitude * mode(rig, 1, 1, r, c);
             worst = std::max(worst, std::abs(rig.sheet.temperature[rig.site(r, c)] - exact));
         }
     }
-    EXPECT_LE(worst / (kAmbient + 400.0), 1e-12);
+    EXPECT_LE(worst / (kAmbient + 400.0), 1e-13);
 }
 
 TEST(Heat, TheErrorFallsFourfoldWhenTheSpacingHalves) {
@@ -112,8 +114,7 @@ TEST(Heat, ConductionKeepsTheTotalAndStaysBetweenItsExtremes) {
     const double before = stored_heat(rig.sheet, rig.params.paper, kAmbient);
     StepCounters counters;
     for (int i = 0; i < 200; ++i) {
-        conduct_heat(rig.lattice, rig.sheet, rig.params.paper, kAmbient, 0.05, 1, scratch,
-                     counters);
+        conduct_heat(rig.sheet, rig.params, 0.05, 1, scratch, counters);
         for (const double t : rig.sheet.temperature) {
             ASSERT_GE(t, kAmbient - 1e-9);
             ASSERT_LE(t, 1200.0);
@@ -156,9 +157,10 @@ TEST(Heat, ALossIsTheExactExponential) {
     EXPECT_NEAR(rig.sheet.temperature[0], kAmbient + 500.0 * std::exp(-0.7 * rate), 1e-9);
 }
 
-TEST(Heat, ATearConductsNothing) {
-    // the sheet is cut from edge to edge along the cross direction; only the left half is warm
+// The sheet is cut from edge to edge along the cross direction; only the left half is warm.
+void expect_a_tear_conducts_nothing(HeatSolverKind solver) {
     Rig rig(plain(4, 8));
+    rig.params.numerics.heat_solver = solver;
     rig.sheet.phase.assign(rig.sheet.phase.size(), Phase::BurntOut);
     for (Index r = 0; r < rig.lattice.row_count; ++r) {
         cut_site(rig.lattice, rig.sheet, rig.lattice.site(r, 4), CutLine::AlongCross);
@@ -169,7 +171,7 @@ TEST(Heat, ATearConductsNothing) {
         rig.sheet.temperature[rig.site(r, 1)] = 1000.0;
     }
     StepCounters counters;
-    conduct_heat(rig.lattice, rig.sheet, rig.params.paper, kAmbient, 10.0, 1, scratch, counters);
+    conduct_heat(rig.sheet, rig.params, 10.0, 1, scratch, counters);
     double left = 0, right = 0;
     for (Index r = 0; r < rig.lattice.row_count; ++r) {
         left = std::max(left, rig.sheet.temperature[rig.site(r, 3)]);
@@ -180,12 +182,19 @@ TEST(Heat, ATearConductsNothing) {
     EXPECT_EQ(right, kAmbient);
 }
 
+TEST(Heat, ATearConductsNothing) {
+    for (const HeatSolverKind solver :
+         {HeatSolverKind::Auto, HeatSolverKind::Ftcs, HeatSolverKind::Rkl2, HeatSolverKind::Adi}) {
+        expect_a_tear_conducts_nothing(solver);
+    }
+}
+
 TEST(Heat, AColdSheetCostsNothing) {
     Rig rig(plain(4, 8));
     HeatScratch scratch = conduction(rig);
     HeatLedger ledger;
     StepCounters counters;
-    conduct_heat(rig.lattice, rig.sheet, rig.params.paper, kAmbient, 1.0, 1, scratch, counters);
+    conduct_heat(rig.sheet, rig.params, 1.0, 1, scratch, counters);
     exchange_heat(rig.sheet, rig.params, {}, 1.0, ledger, counters);
     EXPECT_EQ(counters.heat_nodes, 0);
     EXPECT_EQ(counters.heat_substeps, 0);
