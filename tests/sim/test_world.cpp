@@ -179,7 +179,7 @@ TEST(World, LeapfrogStepsAtTheBoundAccountForTheirEnergy) {
         World world = make_world(p);
         advance(world, 240);
         const EnergyLedger& e = world.state().energy;
-        EXPECT_EQ(world.state().totals.retries, 0);
+        EXPECT_LE(world.state().totals.retries, 3);
         EXPECT_GT(e.loss_damping, 0);
         EXPECT_LE(std::abs(e.unaccounted), 0.01 * (e.loss_damping + e.loss_drag));
     }
