@@ -26,55 +26,39 @@ EMBER_VECTORISED void divide_by_mass(std::ptrdiff_t count, const double* __restr
         a[i] = (force[i] + load[i]) * inverse_mass[i];
 }
 
-// Drag F = -c [(v·n) n + τ (v - (v·n) n)] on nodes, added to f; `power` is what it takes from
-// those that move.
-EMBER_VECTORISED void add_drag(const NodeLoads& loads, const Run run,
-                               const std::array<const double*, 3>& v,
-                               const std::array<double*, 3>& f, double* __restrict power) {
-    const double tau = loads.drag_tangential;
-    const double *vx = v[0], *vy = v[1], *vz = v[2];
-    const double *nx = loads.normal.x.data() + run.first, *ny = loads.normal.y.data() + run.first,
-                 *nz = loads.normal.z.data() + run.first;
-    const double *drag = loads.drag.data() + run.first,
-                 *inverse_mass = loads.inverse_mass.data() + run.first;
-    double* __restrict fx = f[0], * __restrict fy = f[1], * __restrict fz = f[2];
-    // nothing overlaps, but there are too many arrays for the compiler to check
-#pragma GCC ivdep
-    for (std::ptrdiff_t i = 0; i < run.count; ++i) {
-        const double across = vx[i] * nx[i] + vy[i] * ny[i] + vz[i] * nz[i];
-        const double along = (1.0 - tau) * across, c = drag[i];
-        fx[i] -= c * (along * nx[i] + tau * vx[i]);
-        fy[i] -= c * (along * ny[i] + tau * vy[i]);
-        fz[i] -= c * (along * nz[i] + tau * vz[i]);
-        const double lost =
-            c * (along * across + tau * (vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i]));
-        power[i] = inverse_mass[i] > 0.0 ? lost : 0.0;
-    }
-}
-
-// Power of the same drag on another velocity, u = w + h/2 a.
-EMBER_VECTORISED void drag_on_drift(const NodeLoads& loads, const Run run,
+// Accelerations of nodes in the air, on which springs exert f, with drag
+// F = -c [(v·n) n + τ (v - (v·n) n)]; `power` is what the drag takes at the velocity w + half·a.
+// One pass, since the arrays of a large sheet have to come from far.
+EMBER_VECTORISED void divide_in_air(const NodeLoads& loads, const Run run,
+                                    const std::array<const double*, 3>& f,
                                     const std::array<const double*, 3>& v,
-                                    const std::array<const double*, 3>& w,
-                                    const std::array<const double*, 3>& a, double h,
-                                    double* __restrict power) {
-    const double tau = loads.drag_tangential, half = 0.5 * h;
-    const double *vx = v[0], *vy = v[1], *vz = v[2], *wx = w[0], *wy = w[1], *wz = w[2];
-    const double *ax = a[0], *ay = a[1], *az = a[2];
+                                    const std::array<const double*, 3>& w, double half,
+                                    const std::array<double*, 3>& a, double* __restrict power) {
+    const double tau = loads.drag_tangential;
+    const double *fx = f[0], *fy = f[1], *fz = f[2], *vx = v[0], *vy = v[1], *vz = v[2];
+    const double *wx = w[0], *wy = w[1], *wz = w[2];
     const double *nx = loads.normal.x.data() + run.first, *ny = loads.normal.y.data() + run.first,
                  *nz = loads.normal.z.data() + run.first;
+    const double *lx = loads.force.x.data() + run.first, *ly = loads.force.y.data() + run.first,
+                 *lz = loads.force.z.data() + run.first;
     const double *drag = loads.drag.data() + run.first,
                  *inverse_mass = loads.inverse_mass.data() + run.first;
+    double* __restrict ax = a[0], * __restrict ay = a[1], * __restrict az = a[2];
     // nothing overlaps, but there are too many arrays for the compiler to check
 #pragma GCC ivdep
     for (std::ptrdiff_t i = 0; i < run.count; ++i) {
-        const double ux = wx[i] + half * ax[i], uy = wy[i] + half * ay[i],
-                     uz = wz[i] + half * az[i];
-        const double across = (vx[i] * nx[i] + vy[i] * ny[i] + vz[i] * nz[i]) *
-                              (ux * nx[i] + uy * ny[i] + uz * nz[i]);
-        const double all = vx[i] * ux + vy[i] * uy + vz[i] * uz;
-        const double lost = drag[i] * ((1.0 - tau) * across + tau * all);
-        power[i] = inverse_mass[i] > 0.0 ? lost : 0.0;
+        const double inverse = inverse_mass[i], c = drag[i];
+        const double across = (1.0 - tau) * (vx[i] * nx[i] + vy[i] * ny[i] + vz[i] * nz[i]);
+        const double gx = c * (across * nx[i] + tau * vx[i]);
+        const double gy = c * (across * ny[i] + tau * vy[i]);
+        const double gz = c * (across * nz[i] + tau * vz[i]);
+        const double bx = (fx[i] - gx + lx[i]) * inverse;
+        const double by = (fy[i] - gy + ly[i]) * inverse;
+        const double bz = (fz[i] - gz + lz[i]) * inverse;
+        ax[i] = bx, ay[i] = by, az[i] = bz;
+        const double lost =
+            gx * (wx[i] + half * bx) + gy * (wy[i] + half * by) + gz * (wz[i] + half * bz);
+        power[i] = inverse > 0.0 ? lost : 0.0;
     }
 }
 
@@ -95,9 +79,13 @@ double finish(const Mechanics& m, const Run run, const double* v, double* f, std
             add_to(run.count, m.forces.extra.total.data() + axis * n + run.first, f + axis * pitch);
         }
     }
-    double* power = f + 3 * pitch;
     if (loads.has_drag) {
-        add_drag(loads, run, components(v, n, run.first), components(f, pitch, 0), power);
+        double* power = f + 3 * pitch;
+        const double* w = drift != nullptr ? drift->w : v;
+        divide_in_air(loads, run, components<const double*>(f, pitch, 0),
+                      components(v, n, run.first), components(w, n, run.first),
+                      drift != nullptr ? 0.5 * drift->h : 0.0, components(a, n, run.first), power);
+        return sum_in_lanes(power, run.count);
     }
     const double* inverse_mass = loads.inverse_mass.data() + run.first;
     const double* load[] = {loads.force.x.data(), loads.force.y.data(), loads.force.z.data()};
@@ -105,12 +93,7 @@ double finish(const Mechanics& m, const Run run, const double* v, double* f, std
         divide_by_mass(run.count, f + axis * pitch, load[axis] + run.first, inverse_mass,
                        a + axis * n + run.first);
     }
-    if (!loads.has_drag) return 0.0;
-    if (drift != nullptr) {
-        drag_on_drift(loads, run, components(v, n, run.first), components(drift->w, n, run.first),
-                      components<const double*>(a, n, run.first), drift->h, power);
-    }
-    return sum_in_lanes(power, run.count);
+    return 0.0;
 }
 
 // Copies made by cuts come after the sites, and have extra springs only.

@@ -87,8 +87,8 @@ EMBER_VECTORISED void largest_eigenvalues(std::ptrdiff_t count, const Blocks& in
             const double value = ((x - 1.0) * x + minors) * x - determinant;
             const double slope = (3.0 * x - 2.0) * x + minors;
             // at a double root both vanish together; rounding may then turn the sign
-            const double step = value > 0.0 && slope > 0.0 ? value / slope : 0.0;
-            x -= step;
+            const double step = value / (slope > 0.0 ? slope : 1.0);
+            x -= value > 0.0 && slope > 0.0 ? step : 0.0;
         }
         largest[i] = x * trace * root[i];
     }

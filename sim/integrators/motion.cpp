@@ -97,9 +97,9 @@ void combine(double* out, const double* base, std::span<const Term> terms, std::
         if (term.factor != 0.0) used[size++] = term;
     }
     const std::span<const Term> kept(used.data(), size);
-    // whole cache lines to each thread; a line is worth about as much as a spring
+    // whole cache lines to each thread; a line is worth about as much as two springs
     const auto lines = static_cast<std::ptrdiff_t>((count + 7) / 8);
-    pool.for_rows(lines, 1, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    pool.for_rows(lines, 2, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
         combine_range(out, base, kept, 8 * begin,
                       std::min(8 * end, static_cast<std::ptrdiff_t>(count)));
     });
