@@ -94,7 +94,12 @@ class Adams {
     }
 
     // The last one becomes the first, and the oldest gives its arrays to the next.
-    void advance_history() { std::rotate(rates_.begin(), rates_.end() - 1, rates_.end()); }
+    void advance_history() {
+        const Rate newest = rates_[kOrder];
+        for (std::size_t i = kOrder; i > 0; --i)
+            rates_[i] = rates_[i - 1];
+        rates_[0] = newest;
+    }
 
     const Mechanics& m_;
     IntegratorScratch& s_;
