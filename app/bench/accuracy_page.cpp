@@ -30,7 +30,7 @@ std::string head_of(const std::vector<std::string>& cells) {
 
 // How many times slower `point` is than the cheapest run of the sweep at its error.
 double waste_of(const WorkProblem& problem, const WorkPoint& point) {
-    const auto cheapest = cheapest_at(problem, point.errors.front());
+    const auto cheapest = cheapest_like(problem, point);
     // none is as accurate: nothing cheaper would do
     return cheapest ? point.seconds / cheapest->seconds : 1.0;
 }
@@ -52,7 +52,7 @@ std::string default_row(const WorkProblem& problem, const WorkPoint& p) {
     if (p.failed) {
         return row_of({joined(p.presets), name_of(p.setting), "failed", "", "", "**fails**"});
     }
-    const auto cheapest = cheapest_at(problem, p.errors.front());
+    const auto cheapest = cheapest_like(problem, p);
     const double waste = waste_of(problem, p);
     return row_of({joined(p.presets), name_of(p.setting), short_text(1e3 * p.seconds),
                    short_text(p.errors.front()), cheapest ? name_of(cheapest->setting) : "none",
@@ -74,6 +74,7 @@ std::string reasons(const WorkProblem& problem, const WorkPoint& point) {
     std::vector<WorkPoint> best;
     std::vector<std::string> missing;
     for (const WorkPoint& p : problem.points) {
+        if (p.setting.group != point.setting.group) continue;
         const bool known = std::any_of(best.begin(), best.end(), [&](const WorkPoint& b) {
             return b.setting.method == p.setting.method;
         });
@@ -126,18 +127,20 @@ std::vector<std::string> wasteful_defaults(const WorkProblem& problem) {
         } else if (waste_of(problem, point) > kMostWaste) {
             warnings.push_back(who + " is " + short_text(waste_of(problem, point)) +
                                " times slower on " + problem.name + " than " +
-                               name_of(cheapest_at(problem, point.errors.front())->setting) +
+                               name_of(cheapest_like(problem, point)->setting) +
                                ", which is as accurate.");
         }
     }
     return warnings;
 }
 
-std::string accuracy_page(const std::vector<WorkProblem>& problems) {
+std::string accuracy_page(const std::vector<WorkProblem>& problems, bool quick) {
     std::string text =
         "# Accuracy\n\n"
         "How accurate each integrator and heat solver is for the time that it takes. Written by\n\n"
-        "    emberleaf bench work-precision --doc docs/ACCURACY.md\n\n"
+        "    emberleaf bench work-precision" +
+        std::string(quick ? " --quick" : "") +
+        " --doc docs/ACCURACY.md\n\n"
         "on " +
         machine_text() + ". Times are processor time of one thread. A shipped default may take " +
         short_text(kMostWaste) +

@@ -12,7 +12,7 @@ namespace ember {
 inline constexpr double kMostWaste = 1.5;
 
 /// The page in Markdown. Charts are referred to as accuracy_NAME.svg beside it.
-[[nodiscard]] std::string accuracy_page(const std::vector<WorkProblem>& problems);
+[[nodiscard]] std::string accuracy_page(const std::vector<WorkProblem>& problems, bool quick);
 
 /// One sentence for every shipped default that wastes more than kMostWaste, or fails.
 [[nodiscard]] std::vector<std::string> wasteful_defaults(const WorkProblem& problem);

@@ -26,7 +26,7 @@ Params burn_params(const WorkSetting& setting, std::size_t seed) {
 std::vector<WorkSetting> burn_settings(bool quick) {
     using Texts = std::vector<std::string>;
     const Texts safeties =
-        quick ? Texts{"0.9", "0.5"} : Texts{"0.9", "0.75", "0.6", "0.5", "0.4", "0.3", "0.2"};
+        quick ? Texts{"0.9", "0.5"} : Texts{"0.9", "0.8", "0.7", "0.6", "0.5", "0.4", "0.3"};
     const Texts tolerances = quick ? Texts{"1e-4", "1e-6"}
                                    : Texts{"1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9"};
     const Texts counts = quick ? Texts{"1", "4"} : Texts{"1", "2", "4", "8", "12", "16", "24"};
@@ -107,7 +107,7 @@ std::string reference_text(const WorkSetting& setting, const SeedRuns& runs, dou
 }  // namespace
 
 WorkProblem measure_burn(const BenchOptions& options) {
-    const std::size_t seeds = options.quick ? 3 : 8;
+    const std::size_t seeds = options.quick ? 2 : 8;
     WorkProblem problem;
     problem.name = "burn";
     problem.title = "Burn: a corner of an A4 sheet is lit, 10 s";

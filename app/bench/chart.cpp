@@ -9,7 +9,7 @@ namespace {
 
 constexpr PlotArea kArea;
 constexpr std::string_view kFrame = "#444444", kGrid = "#DDDDDD", kFine = "#F1F1F1",
-                           kFailed = "#C00000", kFloor = "#888888";
+                           kFailed = "#444444", kFloor = "#888888";
 
 PagePoint place(double share_x, double share_y) {
     return {kArea.left + share_x * (kArea.right - kArea.left),
@@ -84,7 +84,7 @@ void draw_series(SvgPage& page, const ChartAxis& x, const ChartAxis& y, const Ch
                  std::size_t number) {
     std::vector<PagePoint> run;
     const auto end_run = [&] {
-        if (run.size() > 1) page.polyline(run, series_colour(number), 2);
+        if (series.joined && run.size() > 1) page.polyline(run, series_colour(number), 2);
         for (const PagePoint& p : run)
             draw_marker(page, number, p, 5);
         run.clear();
@@ -129,7 +129,9 @@ std::string chart_svg(const LineChart& chart) {
     draw_y_ticks(page, y);
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
         const PagePoint at = legend.next(chart.series[i].name);
-        page.line({at.x - 16, at.y}, {at.x + 16, at.y}, series_colour(i), 2);
+        if (chart.series[i].joined) {
+            page.line({at.x - 16, at.y}, {at.x + 16, at.y}, series_colour(i), 2);
+        }
         draw_marker(page, i, at, 5);
     }
     if (chart.floor) draw_floor(page, y, *chart.floor, legend);

@@ -18,6 +18,7 @@ struct ChartPoint {
 struct ChartSeries {
     std::string name;
     std::vector<ChartPoint> points;
+    bool joined = true;  ///< by a line, in their order
 };
 
 /// A horizontal dashed line with the band below it shaded, e.g. a noise floor.
@@ -43,7 +44,7 @@ struct BarChart {
 
 /// The part of the page [px] in which every point of every chart lies.
 struct PlotArea {
-    double left = 92, top = 74, right = 664, bottom = 484;
+    double left = 92, top = 74, right = 640, bottom = 484;
 };
 inline constexpr double kChartWidth = 900, kChartHeight = 560;  // [px]
 

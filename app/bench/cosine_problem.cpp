@@ -125,14 +125,16 @@ void measure_point(LatticeSize size, WorkPoint& point) {
     point.failed = !(point.errors[0] < 1.0);
 }
 
-std::vector<WorkSetting> cosine_settings(bool quick) {
+std::vector<WorkSetting> cosine_settings() {
     std::vector<WorkSetting> settings;
     for (const std::string& method : choices_of("numerics.heat_solver")) {
-        for (int rate = 1; rate <= (quick ? 64 : 128); rate *= 2) {
-            const std::string text = std::to_string(rate);
-            settings.push_back({method,
-                                text + " ticks per second",
-                                {"numerics.heat_solver=" + method, "numerics.tick_rate=" + text}});
+        for (const char* text : {"1", "2", "4", "8", "15", "30", "60", "120"}) {
+            // how long a tick is, is not for the heat to choose
+            settings.push_back(
+                {method,
+                 text + std::string(" ticks per second"),
+                 {"numerics.heat_solver=" + method, std::string("numerics.tick_rate=") + text},
+                 text});
         }
     }
     return settings;
@@ -152,12 +154,14 @@ WorkProblem measure_lattice(const BenchOptions& options, LatticeSize size) {
     problem.floor_name = "made by the lattice";
     problem.reference = "The solution is known. The lattice alone makes an error of " +
                         short_text(lattice) + "; runs within 5 % of it count as alike.";
-    for (const WorkSetting& setting : cosine_settings(options.quick))
+    for (const WorkSetting& setting : cosine_settings())
         problem.points.push_back({.setting = setting});
     problem.defaults = shipped_defaults(PresetKind::Burns);
-    for (WorkPoint& point : problem.defaults)
+    for (WorkPoint& point : problem.defaults) {
+        point.setting.group = short_text(bench_params(point.presets.front()).numerics.tick_rate, 9);
         point.setting.sets.insert(point.setting.sets.end(),
                                   {"numerics.check=false", "numerics.sleep_speed=0"});
+    }
     const std::size_t sweep = problem.points.size();
     run_jobs(sweep + problem.defaults.size(), options.threads, [&](std::size_t i) {
         measure_point(size, i < sweep ? problem.points[i] : problem.defaults[i - sweep]);

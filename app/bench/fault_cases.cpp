@@ -95,6 +95,8 @@ constexpr Fault kFaults[] = {
 }
 ;
 
+constexpr std::size_t kColumns = 9;  // cells
+
 // Some ticks with a lighter, so that there are particles, then the fault in the last tenth of the
 // array: far from the held edge, and among the particles that live on.
 void plant(World& world, const Fault& fault, std::uint64_t bits) {
@@ -105,7 +107,7 @@ void plant(World& world, const Fault& fault, std::uint64_t bits) {
     std::vector<double>& array = fault.array(state);
     const std::size_t tail = array.size() / 10 + 1;
     std::size_t at = array.size() - 1 - bits % tail;
-    if (array.size() == sheet_of(state).rest_length.size()) at = bits % sheet_of(state).held.size();
+    if (&array == &sheet_of(state).rest_length) at = bits % kColumns;  // along the first row
     while (array.size() == sheet_of(state).held.size() && sheet_of(state).held[at] != 0)
         at = (at + 1) % array.size();
     array[at] = fault.value;
@@ -123,7 +125,7 @@ std::vector<StressCase> fault_cases(std::size_t count, std::uint64_t seed) {
         const std::uint64_t bits = mix(mix(seed) ^ i);
         StressCase c;
         c.name = "fault_" + std::to_string(i) + '_' + fault.name + '_' + method;
-        c.sets = {"sheet.rows=6", "sheet.columns=9", "lighter.y=140",
+        c.sets = {"sheet.rows=6", "sheet.columns=" + std::to_string(kColumns), "lighter.y=140",
                   "numerics.integrator=" + method, "numerics.seed=" + std::to_string(bits % 1000)};
         c.ticks = 1;
         c.demand = StressDemand::Stops;

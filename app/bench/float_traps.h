@@ -2,8 +2,8 @@
 // noted where it happens, and the run goes on.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sim/step_stats.h"
@@ -30,8 +30,8 @@ class FloatTraps final : public StageObserver {
 
     void begin(Stage stage) override;
     void end(Stage stage) override;
-    /// Exceptions so far, without repetitions.
-    [[nodiscard]] const std::vector<FloatTrap>& found() const { return found_; }
+    /// Exceptions since the last call, without repetitions.
+    [[nodiscard]] std::vector<FloatTrap> take() { return std::exchange(found_, {}); }
 
   private:
     std::vector<FloatTrap> found_;

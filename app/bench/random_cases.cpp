@@ -178,7 +178,15 @@ std::vector<StressCase> random_cases(std::size_t count, std::uint64_t seed) {
         c.name = "random_" + std::to_string(i);
         c.sets.push_back("shrinkage.factor=" + std::string(pick(kFactors, factors[i])));
         c.sets.push_back("numerics.sleep_speed=" + std::string(pick(kSleepSpeeds, speeds[i])));
-        const Cells cells = affordable(stress_params(c), lattices[i]);
+        const Params params = stress_params(c);
+        Cells cells = affordable(params, lattices[i]);
+        if (params.sheet.shape == SheetShape::Cylinder) {
+            // what cannot be built is refused, which is tested elsewhere
+            cells.rows = std::max(cells.rows, 3);
+            const bool cross = params.sheet.held == HeldEdge::CrossStart ||
+                               params.sheet.held == HeldEdge::CrossEnd;
+            if (cross) c.sets.emplace_back("sheet.held=main_start");
+        }
         c.sets.push_back("sheet.rows=" + std::to_string(cells.rows));
         c.sets.push_back("sheet.columns=" + std::to_string(cells.columns));
     }

@@ -16,7 +16,9 @@ constexpr std::string_view kSolving[] = {
     "numerics.skip",         "numerics.sleep_speed", "numerics.heat_solver"};
 
 std::string value_of(std::string_view key, const Params& params) {
-    return value_text(*find_param(sim_param_rows(), key), &params);
+    std::string text = value_text(*find_param(sim_param_rows(), key), &params);
+    std::erase(text, '"');  // words stand without quotes on the command line
+    return text;
 }
 
 WorkSetting setting_of(const Params& params) {

@@ -47,7 +47,10 @@ std::string compared(const char* what, double found, double expected) {
 }  // namespace
 
 StateOracle::StateOracle(const Params& params, const WorldState& start)
-    : coldest_(params.heat.ambient), hottest_(params.heat.ambient) {
+    : coldest_(params.heat.ambient),
+      hottest_(params.heat.ambient),
+      at_first_(start.energy.kinetic + start.energy.elastic),
+      height_(start.energy.gravitational) {
     for (const SheetState& sheet : start.sheets) {
         for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
             coldest_ = std::min(coldest_, sheet.temperature[n]);
@@ -94,7 +97,7 @@ std::string StateOracle::bad_mass(const WorldState& state) const {
     return compared("mass with what has burnt", now, initial_mass_);
 }
 
-std::string StateOracle::bad_energy(const WorldState& state) const {
+std::string StateOracle::bad_energy(const WorldState& state) {
     const EnergyLedger& e = state.energy;
     double kinetic = 0;
     for (const SheetState& sheet : state.sheets) {
@@ -104,10 +107,18 @@ std::string StateOracle::bad_energy(const WorldState& state) const {
     if (std::abs(kinetic - e.kinetic) > kRounding * std::max(kinetic, e.largest) + kNoEnergy) {
         return compared("kinetic energy in the ledger", e.kinetic, kinetic);
     }
+    fallen_ = std::max(fallen_, height_ - e.gravitational);
+    const double put_in = at_first_ + fallen_ + std::abs(e.work_fire) + std::abs(e.change_mass) +
+                          std::abs(e.change_rest_length) + std::abs(e.change_topology) +
+                          std::abs(e.change_edit) + std::abs(e.change_ground);
+    if (!(e.change_scheme <= put_in + kNoEnergy)) {
+        return "the integrator holds " + short_text(e.change_scheme) + " J of energy, but only " +
+               short_text(put_in) + " J were put in";
+    }
     const double now = e.kinetic + e.elastic + e.gravitational;
     const double accounted = e.initial + e.work_fire + e.change_scheme + e.change_ground +
                              e.change_mass + e.change_rest_length + e.change_topology +
-                             e.change_edit - e.loss_damping - e.loss_drag;
+                             e.change_edit - e.loss_damping - e.loss_drag - e.loss_sleep;
     // sums of large terms that cancel are only as exact as the largest of them
     const double rounding =
         1e-13 * (std::abs(e.initial) + std::abs(e.gravitational) + std::abs(e.change_edit)) +

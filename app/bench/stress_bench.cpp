@@ -28,8 +28,8 @@ std::vector<StressCase> all_cases(const StressOptions& options) {
 
 std::string stress_csv(const std::vector<StressCase>& cases,
                        const std::vector<StressOutcome>& outcomes) {
-    CsvTable table({"case", "end", "ticks", "retries", "floating-point exceptions in", "detail",
-                    "parameters"});
+    CsvTable table({"case", "end", "ticks", "retries", "exceptions in", "excused exceptions",
+                    "detail", "parameters"});
     for (std::size_t i = 0; i < cases.size(); ++i) {
         std::string traps, sets;
         for (const FloatTrap& trap : outcomes[i].traps)
@@ -38,7 +38,7 @@ std::string stress_csv(const std::vector<StressCase>& cases,
             sets += set + ' ';
         table.add({cases[i].name, std::string(stress_end_name(outcomes[i].end)),
                    std::to_string(outcomes[i].ticks), std::to_string(outcomes[i].retries), traps,
-                   outcomes[i].detail, sets});
+                   std::to_string(outcomes[i].excused_traps), outcomes[i].detail, sets});
     }
     return table.text();
 }

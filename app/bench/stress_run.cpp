@@ -5,6 +5,7 @@
 
 #include "app/bench/state_oracle.h"
 #include "app/run_options.h"
+#include "sim/random.h"
 
 namespace ember {
 namespace {
@@ -36,21 +37,62 @@ void judge_stop(const StepReport& report, const World& world, std::uint64_t befo
     if (report.time != world.state().time) fail(outcome, "stopped, but at another time");
 }
 
-void run_ticks(const StressCase& stress, World& world, StageObserver* observer,
-               StressOutcome& outcome) {
+// Exceptions are wrong in a tick that succeeds at once; that they changed nothing is luck.
+void judge_traps(const StepReport& report, FloatTraps* watch, StressOutcome& outcome) {
+    if (watch == nullptr) return;
+    const std::vector<FloatTrap> traps = watch->take();
+    if (report.retries > 0 || !report.ok()) {
+        outcome.excused_traps += static_cast<int>(traps.size());
+    } else {
+        outcome.traps.insert(outcome.traps.end(), traps.begin(), traps.end());
+    }
+}
+
+void run_ticks(const StressCase& stress, World& world, FloatTraps* watch, StressOutcome& outcome) {
     StateOracle oracle(world.params(), world.state());
     StepCounters sum;
     for (int tick = 0; tick < stress.ticks; ++tick) {
         if (stress.during) stress.during(world, tick);
         const std::uint64_t before = world.hash();
-        const StepReport report = world.step(observer);
+        const StepReport report = world.step(watch);
         outcome.retries += report.retries;
+        judge_traps(report, watch, outcome);
         if (!report.ok()) return judge_stop(report, world, before, outcome);
         ++outcome.ticks;
         const std::string problem = oracle.problem(world.params(), world.state());
         if (!problem.empty()) return fail(outcome, problem);
         if (has_cost_enough(report.counters, sum)) return;
     }
+}
+
+// A hash of each field, with its name.
+struct FieldHashes {
+    std::vector<std::pair<std::string, std::uint64_t>> fields;
+
+    template <class T>
+    void operator()(const char* name, const std::vector<T>& array) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(array.data());
+        std::uint64_t hash = array.size();
+        for (std::size_t i = 0; i < array.size() * sizeof(T); ++i)
+            hash = mix(hash ^ bytes[i]);
+        fields.emplace_back(name, hash);
+    }
+    template <class T>
+    void operator()(const char* name, const T& value) {
+        (*this)(name, std::vector<T>{value});
+    }
+};
+
+// Names of the fields in which two states differ.
+std::string different_fields(const WorldState& a, const WorldState& b) {
+    FieldHashes first, second;
+    for_each_field(a, first);
+    for_each_field(b, second);
+    std::string names;
+    for (std::size_t i = 0; i < first.fields.size(); ++i) {
+        if (first.fields[i] != second.fields[i]) names += ' ' + first.fields[i].first;
+    }
+    return names;
 }
 
 // The first tick that is rolled back must end in the same bits as a tick that asked for the finer
@@ -74,7 +116,10 @@ void compare_rollback(const StressCase& stress, World& world, StressOutcome& out
         WorldState bits = clean.snapshot();
         bits.refinement = world.state().refinement;
         bits.totals.retries = world.state().totals.retries;
-        if (hash_of(bits) != world.hash()) fail(outcome, "rolled back differs from clean");
+        if (hash_of(bits) != world.hash()) {
+            fail(outcome,
+                 "rolled back differs from clean in" + different_fields(bits, world.state()));
+        }
         return;
     }
 }
@@ -105,9 +150,11 @@ StressOutcome run_stress(const StressCase& stress, bool traps) {
     if (traps && stress.demand == StressDemand::RunsOrStops) {
         FloatTraps watch;
         run_ticks(stress, *world, &watch, outcome);
-        outcome.traps = watch.found();
     } else {
         run_ticks(stress, *world, nullptr, outcome);
+    }
+    if (!outcome.traps.empty() && outcome.end != StressEnd::Failed) {
+        fail(outcome, "floating-point exception in a tick that was not rolled back");
     }
     if (stress.demand == StressDemand::Stops && outcome.end != StressEnd::Stopped) {
         fail(outcome, "the fault was not noticed: " + outcome.detail);

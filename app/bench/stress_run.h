@@ -17,7 +17,10 @@ struct StressOutcome {
     std::string detail;  ///< why it stopped, was refused or failed
     int ticks = 0;       ///< that succeeded
     int retries = 0;
-    std::vector<FloatTrap> traps;
+    /// Floating-point exceptions in ticks that succeeded at once; those of ticks that were rolled
+    /// back are what rolling back is for, and only counted.
+    std::vector<FloatTrap> traps{};
+    int excused_traps = 0;
 };
 
 /// Runs `stress` on the calling thread; stops early once it has cost enough, which depends on

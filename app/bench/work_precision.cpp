@@ -45,7 +45,7 @@ int bench_work_precision(const WorkPrecisionOptions& options) {
     if (wanted("burn")) add(measure_burn(options.common));
     if (options.page.empty()) return kOk;
     const std::filesystem::path page = options.page;
-    write_file(page, accuracy_page(problems));
+    write_file(page, accuracy_page(problems, options.common.quick));
     for (const WorkProblem& problem : problems) {
         write_file(page.parent_path() / ("accuracy_" + problem.name + ".svg"),
                    problem_chart(problem));

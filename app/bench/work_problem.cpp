@@ -10,6 +10,8 @@
 namespace ember {
 namespace {
 
+const std::string kDefaults = "shipped default";
+
 double ranked_error(const WorkProblem& problem, const WorkPoint& point) {
     return std::max(point.errors.front(), problem.floor);
 }
@@ -18,7 +20,7 @@ ChartSeries& series_of(LineChart& chart, const std::string& name) {
     for (ChartSeries& series : chart.series) {
         if (series.name == name) return series;
     }
-    return chart.series.emplace_back(ChartSeries{name, {}});
+    return chart.series.emplace_back(ChartSeries{name, {}, name != kDefaults});
 }
 
 std::string problem_csv(const WorkProblem& problem) {
@@ -71,11 +73,14 @@ std::vector<WorkPoint> efficient_frontier(const WorkProblem& problem) {
     return frontier;
 }
 
-std::optional<WorkPoint> cheapest_at(const WorkProblem& problem, double error) {
-    for (const WorkPoint& point : efficient_frontier(problem)) {
-        if (ranked_error(problem, point) <= std::max(error, problem.floor)) return point;
+std::optional<WorkPoint> cheapest_like(const WorkProblem& problem, const WorkPoint& wanted) {
+    std::optional<WorkPoint> best;
+    for (const WorkPoint& point : problem.points) {
+        if (point.failed || point.setting.group != wanted.setting.group) continue;
+        if (ranked_error(problem, point) > ranked_error(problem, wanted)) continue;
+        if (!best || point.seconds < best->seconds) best = point;
     }
-    return std::nullopt;
+    return best;
 }
 
 std::string problem_chart(const WorkProblem& problem, bool against_work) {
@@ -91,7 +96,7 @@ std::string problem_chart(const WorkProblem& problem, bool against_work) {
     for (const WorkPoint& point : problem.points)
         add(point.setting.method, point);
     for (const WorkPoint& point : problem.defaults)
-        add("shipped default", point);
+        add(kDefaults, point);
     if (!problem.floor_name.empty()) chart.floor = ChartLevel{problem.floor, problem.floor_name};
     chart.failed_name = "failed or diverged";
     return chart_svg(chart);

@@ -15,6 +15,7 @@ struct WorkSetting {
     std::string method;             ///< "rk4"
     std::string label;              ///< "64 sub-steps", "tolerance 1e-6"
     std::vector<std::string> sets;  ///< "key=value" that ask for it
+    std::string group{};            ///< only runs of one group are alternatives to each other
 };
 
 /// What one way of solving cost and yielded.
@@ -47,8 +48,10 @@ struct WorkProblem {
 /// below the floor count as equal to it.
 [[nodiscard]] std::vector<WorkPoint> efficient_frontier(const WorkProblem& problem);
 
-/// The cheapest point of the sweep that is at least as accurate as `error` (or the floor).
-[[nodiscard]] std::optional<WorkPoint> cheapest_at(const WorkProblem& problem, double error);
+/// The cheapest point of the sweep that is at least as accurate as `wanted` (or the floor), among
+/// those of its group.
+[[nodiscard]] std::optional<WorkPoint> cheapest_like(const WorkProblem& problem,
+                                                     const WorkPoint& wanted);
 
 /// Writes NAME.csv and NAME.svg (first error against time), and NAME_work.svg (against work).
 void write_problem(const WorkProblem& problem, const std::filesystem::path& folder);
