@@ -15,6 +15,7 @@ using Task = std::function<int()>;
 void add_render_command(CLI::App& app, Task& task);
 void add_simulate_command(CLI::App& app, Task& task);
 void add_check_command(CLI::App& app, Task& task);
+void add_bench_command(CLI::App& app, Task& task);
 void add_presets_command(CLI::App& app, Task& task);
 void add_params_command(CLI::App& app, Task& task);
 /// The program without a subcommand: `emberleaf [PRESET]`.

@@ -61,6 +61,7 @@ int parse_and_run(int argc, char** argv) {
     ember::add_render_command(app, task);
     ember::add_simulate_command(app, task);
     ember::add_check_command(app, task);
+    ember::add_bench_command(app, task);
     ember::add_presets_command(app, task);
     ember::add_params_command(app, task);
     ember::add_window_command(app, task);
