@@ -165,9 +165,10 @@ void accelerations(const MassSpringSheet& sheet, std::vector<Vector3>& result) {
     result.resize(sheet.nodes.size());
     for (std::size_t i = 0; i < sheet.nodes.size(); ++i) {
         const Node& node = sheet.nodes[i];
+        result[i] = node.load;
+        if (node.drag == 0) continue;
         const Vector3 across = node.velocity.dot(node.normal) * node.normal;
-        result[i] =
-            node.load - node.drag * (across + sheet.drag_tangential * (node.velocity - across));
+        result[i] -= node.drag * (across + sheet.drag_tangential * (node.velocity - across));
     }
     for (const Spring& spring : sheet.springs) {
         const auto a = static_cast<std::size_t>(spring.a), b = static_cast<std::size_t>(spring.b);
