@@ -11,6 +11,8 @@ target_compile_options(ember_options INTERFACE
     # sqrt() never reads errno and no trap handler is installed by the library; neither changes a
     # value, and without these two the force loops are not vectorised.
     -fno-math-errno -fno-trapping-math
+    # GCC 12 sees overlaps in std::string's operator+ that are not there (its bug 105651)
+    -Wno-restrict
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion)
 if(EMBERLEAF_WARNINGS_AS_ERRORS)
     target_compile_options(ember_options INTERFACE -Werror)
