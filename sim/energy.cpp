@@ -97,18 +97,42 @@ double unaccounted_energy(const EnergyLedger& e, double& scale) {
     return now - (e.initial + changes - losses);
 }
 
+namespace {
+
+constexpr double kSmallest = 1e-12;  // [J] of rounding
+
+// All energy that can have gone into springs and motion.
+double put_in(const EnergyLedger& e) {
+    double sum = std::abs(e.initial - e.initial_gravitational);
+    sum += std::max(0.0, e.initial_gravitational - e.gravitational);
+    for (const double change : {e.work_fire, e.change_ground, e.change_mass, e.change_rest_length,
+                                e.change_topology, e.change_edit}) {
+        sum += std::abs(change);
+    }
+    return sum;
+}
+
+bool scheme_is_bounded(EnergyLedger& ledger) {
+    constexpr double kNothing = 1e-3;  // of what was put in: a tick that is not to blame
+    const double limit = put_in(ledger);
+    const double added = ledger.change_scheme - ledger.scheme_settled;
+    ledger.scheme_settled = ledger.change_scheme;
+    return ledger.change_scheme <= limit + kSmallest || added <= kNothing * limit;
+}
+
+}  // namespace
+
 bool settle(EnergyLedger& ledger) {
-    constexpr double kSmallest = 1e-12;  // [J] of rounding
-    constexpr double kAlways = 1e-3;     // share of the margin that any tick may use
+    constexpr double kAlways = 1e-3;  // share of the margin that any tick may use
     double scale = 0.0;
     const double excess = unaccounted_energy(ledger, scale);
     ledger.largest = std::max(ledger.largest, scale);
     const double margin = 0.5 * kEnergyMargin * ledger.largest;
     const double allowed =
         std::max({0.5 * (margin - ledger.unaccounted), kAlways * margin, kSmallest});
-    const bool good = excess - ledger.unaccounted <= allowed;  // false for NaN
+    const bool good = std::isfinite(excess) && excess - ledger.unaccounted <= allowed;
     ledger.unaccounted = excess;
-    return good;
+    return scheme_is_bounded(ledger) && good;
 }
 
 }  // namespace ember

@@ -36,7 +36,9 @@ inline constexpr double kEnergyMargin = 1e-3;
 
 /// Compares the ledger after a tick with that before and takes the result into it. A tick may use
 /// up half of what is left of the margin, so that a slow drift is refined away before it is all
-/// used, and no tick has to pay for the ones before it. Returns false when it used more.
+/// used, and no tick has to pay for the ones before it. Returns false when it used more, or when
+/// the integrator would have to hold more energy (TickWork::scheme) than was ever put in: beyond
+/// its step bound a leapfrog method conserves an energy that allows any growth.
 [[nodiscard]] bool settle(EnergyLedger& ledger);
 
 }  // namespace ember

@@ -56,6 +56,7 @@ World::World(Scene scene, const Params& params, int threads)
     record_energy(measure_energy(params_, state_, *work_), state_.energy);
     state_.energy.initial =
         state_.energy.kinetic + state_.energy.elastic + state_.energy.gravitational;
+    state_.energy.initial_gravitational = state_.energy.gravitational;
 }
 
 World::World(World&&) noexcept = default;

@@ -54,6 +54,8 @@ struct EnergyLedger {
     double kinetic = 0, elastic = 0, gravitational = 0;  ///< now
     double work_fire = 0;                                ///< by fire particles
     double change_scheme = 0;                            ///< see TickWork::scheme
+    double initial_gravitational = 0;                    ///< its part in `initial`
+    double scheme_settled = 0;                           ///< change_scheme after the last tick
     double unaccounted = 0;                              ///< after the last tick
     double largest = 0;                                  ///< term of the ledger so far
     double loss_damping = 0, loss_drag = 0;              ///< in springs, to the air
@@ -127,7 +129,9 @@ void for_each_field(State& s, Visitor&& visit) {
     visit("energy.elastic", e.elastic), visit("energy.gravitational", e.gravitational);
     visit("energy.work_fire", e.work_fire), visit("energy.change_scheme", e.change_scheme),
         visit("energy.unaccounted", e.unaccounted);
-    visit("energy.largest", e.largest), visit("energy.loss_damping", e.loss_damping);
+    visit("energy.initial_gravitational", e.initial_gravitational);
+    visit("energy.scheme_settled", e.scheme_settled), visit("energy.largest", e.largest),
+        visit("energy.loss_damping", e.loss_damping);
     visit("energy.loss_drag", e.loss_drag), visit("energy.loss_sleep", e.loss_sleep),
         visit("energy.change_ground", e.change_ground);
     visit("energy.change_mass", e.change_mass);
