@@ -3,155 +3,142 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/exp_array.h"
 #include "sim/math.h"
+#include "sim/patch_sums.h"
+#include "sim/vectorise.h"
 
 namespace ember {
 namespace {
 
-constexpr Index kMostCells = 1 << 20;
-
-Index clamp_cell(double distance, double cell, Index count) {
-    return std::clamp(static_cast<Index>(std::floor(distance / cell)), 0, count - 1);
-}
-
-Index cell_of(const ParticleGrid& grid, const Vector3& p) {
-    const Vector3 d = p - grid.origin;
-    const Index ix = clamp_cell(d.x(), grid.cell, grid.nx);
-    const Index iy = clamp_cell(d.y(), grid.cell, grid.ny);
-    const Index iz = clamp_cell(d.z(), grid.cell, grid.nz);
-    return (iz * grid.ny + iy) * grid.nx + ix;
-}
-
-// Grid over the particles' box with cells of the kernel radius, or larger ones where particles
-// have flown so far that there would be too many.
-void size_grid(const FireState& fire, double radius, ParticleGrid& grid) {
-    Vector3 low = fire.position.at(0), high = low;
-    for (std::size_t i = 1; i < fire.size(); ++i) {
-        low = low.cwiseMin(fire.position.at(i));
-        high = high.cwiseMax(fire.position.at(i));
-    }
-    grid.origin = low;
-    grid.cell = radius;
-    for (;;) {
-        const Vector3 cells = ((high - low) / grid.cell).array().floor() + 1.0;
-        if (cells.prod() <= kMostCells) {
-            grid.nx = static_cast<Index>(cells.x());
-            grid.ny = static_cast<Index>(cells.y());
-            grid.nz = static_cast<Index>(cells.z());
-            return;
-        }
-        grid.cell *= 2.0;
-    }
-}
-
-void fill_grid(const FireState& fire, double heating, double span, double ambient, double time,
-               double heating_time, ParticleGrid& grid) {
-    const std::size_t count = fire.size();
-    const auto cells = static_cast<std::size_t>(grid.nx * grid.ny * grid.nz);
-    grid.begin.assign(cells + 1, 0);
-    for (std::size_t i = 0; i < count; ++i) {
-        ++grid.begin[static_cast<std::size_t>(cell_of(grid, fire.position.at(i))) + 1];
-    }
-    for (std::size_t c = 0; c < cells; ++c)
-        grid.begin[c + 1] += grid.begin[c];
-    grid.order.resize(count);
-    grid.position.resize(count);
-    grid.velocity.resize(count);
-    grid.heating.resize(count);
-    grid.freshness.resize(count);
-    grid.absorbed.assign(count, 0.0);
-    // begin[c] serves as the next free place of cell c, and is set back afterwards
-    for (std::size_t i = 0; i < count; ++i) {
-        Index& next = grid.begin[static_cast<std::size_t>(cell_of(grid, fire.position.at(i)))];
-        const auto at = static_cast<std::size_t>(next++);
-        grid.order[at] = static_cast<Index>(i);
-        grid.position.set(at, fire.position.at(i));
-        grid.velocity.set(at, fire.velocity.at(i));
-        grid.freshness[at] = ember::exp((fire.birth[i] - time) / heating_time);
-        grid.heating[at] = heating * fire.strength[i] * grid.freshness[at] *
-                           (fire.temperature[i] - ambient) / span;
-    }
-    for (std::size_t c = cells; c > 0; --c)
-        grid.begin[c] = grid.begin[c - 1];
-    grid.begin[0] = 0;
-}
-
-// Sums over the particles near one node.
-struct Received {
-    double heating = 0;                  // [K/s]
-    double weight = 0;                   // [1] Σ W
-    Vector3 momentum = Vector3::Zero();  // [m/s] Σ W v
+// One coupling; threads share it by reference.
+struct Coupling {
+    const Params& params;
+    const std::vector<SheetState>& sheets;
+    CouplingScratch& scratch;
+    std::vector<NodeFire>& received;
+    std::size_t particles;  // listed in the grid
 };
 
-// Particles of cells first..last of one grid line, which lie next to each other in memory.
-void visit_line(ParticleGrid& grid, Index first_cell, Index last_cell, const Vector3& p,
-                double inverse_r2, double absorbed_per_weight, Received& sum,
-                StepCounters& counters) {
-    const auto begin = static_cast<std::size_t>(grid.begin[static_cast<std::size_t>(first_cell)]);
-    const auto end = static_cast<std::size_t>(grid.begin[static_cast<std::size_t>(last_cell) + 1]);
-    counters.coupling_pairs += static_cast<std::int64_t>(end - begin);
-    for (std::size_t i = begin; i < end; ++i) {
-        const double dx = grid.position.x[i] - p.x(), dy = grid.position.y[i] - p.y(),
-                     dz = grid.position.z[i] - p.z();
-        const double q = 1.0 - (dx * dx + dy * dy + dz * dz) * inverse_r2;
-        if (!(q > 0)) continue;
-        const double w = q * q;
-        sum.heating += grid.heating[i] * w;
-        sum.weight += w;
-        sum.momentum += w * grid.velocity.at(i);
-        grid.absorbed[i] += absorbed_per_weight * w;
-    }
-}
-
-Received receive(ParticleGrid& grid, const Vector3& p, double radius, double absorbed_per_weight,
-                 StepCounters& counters) {
-    Received sum;
-    const Vector3 low = (p - grid.origin).array() - radius, high = low.array() + 2.0 * radius;
-    const Vector3 size(grid.nx * grid.cell, grid.ny * grid.cell, grid.nz * grid.cell);
-    if ((high.array() < 0).any() || (low.array() > size.array()).any()) return sum;
-    const Index x0 = clamp_cell(low.x(), grid.cell, grid.nx);
-    const Index x1 = clamp_cell(high.x(), grid.cell, grid.nx);
-    const Index y0 = clamp_cell(low.y(), grid.cell, grid.ny);
-    const Index y1 = clamp_cell(high.y(), grid.cell, grid.ny);
-    const Index z0 = clamp_cell(low.z(), grid.cell, grid.nz);
-    const Index z1 = clamp_cell(high.z(), grid.cell, grid.nz);
-    const double inverse_r2 = 1.0 / (radius * radius);
-    for (Index z = z0; z <= z1; ++z) {
-        for (Index y = y0; y <= y1; ++y) {
-            const Index line = (z * grid.ny + y) * grid.nx;
-            visit_line(grid, line + x0, line + x1, p, inverse_r2, absorbed_per_weight, sum,
-                       counters);
-        }
-    }
-    return sum;
-}
-
 // Push on a node: force · area · Σ W (v_p - v), limited to a greatest acceleration.
-Vector3 push(const FireParams& fire, const Received& sum, const Vector3& velocity, double area,
-             double mass) {
-    const Vector3 force = fire.force * area * (sum.momentum - sum.weight * velocity);
-    const double limit = fire.force_limit * mass, size = force.norm();
-    return size > limit ? Vector3(force * (limit / size)) : force;
+void push_nodes(const Coupling& c, const NodePatch& patch, const PatchSums& sums) {
+    const SheetState& sheet = c.sheets[patch.sheet];
+    NodeFire& received = c.received[patch.sheet];
+    const FireParams& f = c.params.fire;
+    for (std::size_t l = 0; l < kLanes; ++l) {
+        if (patch.node[l] == kNone || !(sums.weight[l] > 0)) continue;
+        const auto n = static_cast<std::size_t>(patch.node[l]);
+        const double factor = f.force * (sheet.initial_mass[n] / c.params.paper.grammage);
+        double x = factor * (sums.momentum_x[l] - sums.weight[l] * sheet.velocity.x[n]);
+        double y = factor * (sums.momentum_y[l] - sums.weight[l] * sheet.velocity.y[n]);
+        double z = factor * (sums.momentum_z[l] - sums.weight[l] * sheet.velocity.z[n]);
+        const double limit = f.force_limit * sheet.mass[n], size2 = x * x + y * y + z * z;
+        if (size2 > limit * limit) {
+            const double scale = limit / std::sqrt(size2);
+            x *= scale, y *= scale, z *= scale;
+        }
+        received.force.x[n] = x;
+        received.force.y[n] = y;
+        received.force.z[n] = z;
+    }
 }
 
-void couple_sheet(const Params& params, const SheetState& sheet, ParticleGrid& grid,
-                  NodeFire& received, StepCounters& counters) {
-    const FireParams& f = params.fire;
-    const double per_area = f.absorption > 0 ? 1.0 / (f.kernel_radius * f.kernel_radius) : 0.0;
-    for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
-        const double area = sheet.initial_mass[n] / params.paper.grammage;
-        const bool takes_heat = sheet.phase[n] != Phase::BurntOut && sheet.held[n] == 0;
-        const Received sum = receive(grid, sheet.position.at(n), f.kernel_radius,
-                                     takes_heat ? area * per_area : 0.0, counters);
-        if (!(sum.weight > 0)) continue;
-        if (takes_heat) {
-            received.heating[n] =
-                f.heating_limit * (1.0 - ember::exp(-sum.heating / f.heating_limit));
-        }
-        if (sheet.held[n] == 0) {
-            received.force.set(n, push(f, sum, sheet.velocity.at(n), area, sheet.mass[n]));
+// A node takes S_max (1 - exp(-S/S_max)) of the sum S.
+void heat_nodes(const Coupling& c, const NodePatch& patch, const PatchSums& sums) {
+    const SheetState& sheet = c.sheets[patch.sheet];
+    const double limit = c.params.fire.heating_limit;
+    std::array<double, kLanes> passed{};
+    for (std::size_t l = 0; l < kLanes; ++l)
+        passed[l] = -sums.heating[l] / limit;
+    exp_array(passed.data(), static_cast<std::ptrdiff_t>(kLanes));
+    for (std::size_t l = 0; l < kLanes; ++l) {
+        if (patch.node[l] == kNone || !(sums.weight[l] > 0)) continue;
+        const auto n = static_cast<std::size_t>(patch.node[l]);
+        if (sheet.phase[n] == Phase::BurntOut) continue;
+        c.received[patch.sheet].heating[n] = limit * (1.0 - passed[l]);
+    }
+}
+
+// All patches of one block. What particles give to the nodes of a block is summed up apart, so
+// that the order of additions does not depend on who does which block.
+void couple_block(const Coupling& c, Index block) {
+    CouplingScratch& s = c.scratch;
+    const auto order = [](const NodePatch& patch, Index b) { return patch.block < b; };
+    const auto first =
+        std::lower_bound(s.plan.patches.begin(), s.plan.patches.end(), block, order);
+    const auto last = std::lower_bound(first, s.plan.patches.end(), block + 1, order);
+    const bool all = !c.params.numerics.skip;
+    const ParticleRun everything{0, static_cast<Index>(c.particles)};
+    ParticleRun touched{everything.end, 0};
+    for (auto patch = first; patch != last; ++patch) {
+        for (std::size_t r = patch->first_run; r < patch->last_run; ++r) {
+            touched.begin = std::min(touched.begin, s.plan.runs[r].begin);
+            touched.end = std::max(touched.end, s.plan.runs[r].end);
         }
     }
+    if (all) touched = everything;
+    double* absorbed = s.absorbed.data() + static_cast<std::size_t>(block) * c.particles;
+    if (touched.begin < touched.end)
+        std::fill(absorbed + touched.begin, absorbed + touched.end, 0.0);
+    s.touched[static_cast<std::size_t>(block)] = touched;
+    const double radius = c.params.fire.kernel_radius, inverse_r2 = 1.0 / (radius * radius);
+    PatchSums sums;
+    for (auto patch = first; patch != last; ++patch) {
+        const ParticleRun* runs = all ? &everything : s.plan.runs.data() + patch->first_run;
+        const std::size_t count = all ? 1 : patch->last_run - patch->first_run;
+        add_patch(s.grid, *patch, runs, count, inverse_r2, absorbed, sums);
+        heat_nodes(c, *patch, sums);
+        push_nodes(c, *patch, sums);
+    }
+}
+
+EMBER_VECTORISED void add_to(const double* __restrict from, std::ptrdiff_t count,
+                             double* __restrict to) {
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        to[i] += from[i];
+}
+
+// exponent = -rate · freshness · absorbed
+EMBER_VECTORISED void find_exponents(double rate, const double* __restrict freshness,
+                                     const double* __restrict absorbed, std::ptrdiff_t count,
+                                     double* __restrict exponent) {
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        exponent[i] = -rate * freshness[i] * absorbed[i];
+}
+
+// Particles lose what they gave.
+void cool_particles(const Params& params, double dt, std::size_t particles, FireState& fire,
+                    CouplingScratch& s) {
+    std::vector<double>& kept = s.kept;
+    kept.assign(particles, 0.0);
+    for (std::size_t b = 0; b < static_cast<std::size_t>(s.plan.blocks); ++b) {
+        const ParticleRun run = s.touched[b];
+        if (run.begin >= run.end) continue;
+        add_to(s.absorbed.data() + b * particles + run.begin, run.end - run.begin,
+               kept.data() + run.begin);
+    }
+    const double ambient = params.heat.ambient;
+    const auto count = static_cast<std::ptrdiff_t>(particles);
+    find_exponents(params.fire.absorption * dt, s.grid.freshness.data(), kept.data(), count,
+                   kept.data());
+    exp_array(kept.data(), count);
+    for (std::size_t i = 0; i < particles; ++i) {
+        double& t = fire.temperature[static_cast<std::size_t>(s.grid.order[i])];
+        if (kept[i] < 1.0) t = ambient + (t - ambient) * kept[i];
+    }
+}
+
+std::int64_t count_pairs(const CouplingPlan& plan, std::size_t particles, bool all) {
+    std::int64_t pairs = 0;
+    for (const NodePatch& patch : plan.patches) {
+        const auto idle = std::count(patch.node.begin(), patch.node.end(), kNone);
+        const std::int64_t nodes = static_cast<std::int64_t>(kLanes) - idle;
+        std::int64_t looked_at = all ? static_cast<std::int64_t>(particles) : 0;
+        for (std::size_t r = patch.first_run; !all && r < patch.last_run; ++r)
+            looked_at += plan.runs[r].end - plan.runs[r].begin;
+        pairs += nodes * looked_at;
+    }
+    return pairs;
 }
 
 }  // namespace
@@ -162,7 +149,8 @@ double particle_heating(const FireParams& fire, const PaperParams& paper) {
 }
 
 void couple_fire(const Params& params, double time, double dt,
-                 const std::vector<SheetState>& sheets, FireState& fire, ParticleGrid& grid,
+                 const std::vector<SheetState>& sheets, const std::vector<NodeTiles>& tiles,
+                 FireState& fire, ThreadPool& pool, CouplingScratch& scratch,
                  std::vector<NodeFire>& received, StepCounters& counters) {
     received.resize(sheets.size());
     for (std::size_t s = 0; s < sheets.size(); ++s) {
@@ -172,21 +160,25 @@ void couple_fire(const Params& params, double time, double dt,
         received[s].force.y.assign(nodes, 0.0);
         received[s].force.z.assign(nodes, 0.0);
     }
-    const double ambient = params.heat.ambient;
-    const double span = params.fire.temperature - ambient;
-    if (fire.size() == 0 || !(span > 0)) return;
-    size_grid(fire, params.fire.kernel_radius, grid);
-    fill_grid(fire, particle_heating(params.fire, params.paper), span, ambient, time,
-              params.fire.heating_time, grid);
-    for (std::size_t s = 0; s < sheets.size(); ++s) {
-        couple_sheet(params, sheets[s], grid, received[s], counters);
-    }
-    for (std::size_t i = 0; i < grid.order.size(); ++i) {
-        if (!(grid.absorbed[i] > 0)) continue;
-        double& t = fire.temperature[static_cast<std::size_t>(grid.order[i])];
-        t = ambient + (t - ambient) * ember::exp(-params.fire.absorption * grid.freshness[i] *
-                                                 grid.absorbed[i] * dt);
-    }
+    if (fire.size() == 0 || !(params.fire.temperature > params.heat.ambient)) return;
+    const bool all = !params.numerics.skip;
+    sort_particles(params, particle_heating(params.fire, params.paper), time, all, sheets, fire,
+                   scratch.grid);
+    plan_coupling(params, all, sheets, tiles, scratch.grid, scratch.plan);
+    const auto particles = static_cast<std::size_t>(scratch.grid.listed);
+    counters.coupling_pairs += count_pairs(scratch.plan, particles, all);
+    if (scratch.plan.patches.empty()) return;
+    const auto blocks = static_cast<std::size_t>(scratch.plan.blocks);
+    scratch.absorbed.resize(blocks * particles);
+    scratch.touched.resize(blocks);
+    const Coupling coupling{params, sheets, scratch, received, particles};
+    // one reference only: what fits into std::function is not allocated
+    pool.for_rows(scratch.plan.blocks, counters.coupling_pairs / scratch.plan.blocks + 1,
+                  [&coupling](std::ptrdiff_t begin, std::ptrdiff_t end) {
+                      for (std::ptrdiff_t b = begin; b < end; ++b)
+                          couple_block(coupling, static_cast<Index>(b));
+                  });
+    cool_particles(params, dt, particles, fire, scratch);
 }
 
 }  // namespace ember

@@ -11,24 +11,13 @@
 
 #include <vector>
 
+#include "sim/coupling_plan.h"
+#include "sim/parallel.h"
 #include "sim/params.h"
 #include "sim/step_stats.h"
 #include "sim/world_state.h"
 
 namespace ember {
-
-/// Scratch of the neighbour search: particles sorted into cells of the kernel's radius.
-struct ParticleGrid {
-    Vector3 origin = Vector3::Zero();  ///< [m] corner of cell (0, 0, 0)
-    double cell = 0;                   ///< [m]
-    Index nx = 0, ny = 0, nz = 0;
-    std::vector<Index> begin;         ///< first entry of each cell, cells + 1
-    std::vector<Index> order;         ///< particle numbers, by cell, ascending within a cell
-    Vector3Array position, velocity;  ///< of the particles in that order
-    std::vector<double> heating;      ///< [K/s] at the kernel's centre, in that order
-    std::vector<double> freshness;    ///< e^(-age/heating_time), in that order
-    std::vector<double> absorbed;     ///< Σ (area / r_k²) W, in that order
-};
 
 /// What a sheet's nodes receive in a tick.
 struct NodeFire {
@@ -36,14 +25,26 @@ struct NodeFire {
     Vector3Array force;           ///< [N], N
 };
 
+/// Scratch.
+struct CouplingScratch {
+    ParticleGrid grid;
+    CouplingPlan plan;
+    std::vector<double> absorbed;       ///< Σ (area / r_k²) W in the grid's order, for each block
+    std::vector<ParticleRun> touched;   ///< by each block
+    std::vector<double> kept;           ///< share of its excess that each particle keeps
+};
+
 /// A of the law above [K/s].
 [[nodiscard]] double particle_heating(const FireParams& fire, const PaperParams& paper);
 
 /// Fills `received` for every sheet and cools the particles by what they gave during `dt` [s].
-/// `time` [s] is the moment that the particles have reached.
+/// `time` [s] is the moment that the particles have reached. `tiles`: see group_nodes().
 /// Burnt-out nodes take a push but no heat. Without particles nothing is computed or allocated.
+/// Without numerics.skip every node looks at every particle, and the result is the same.
+/// Same bits for any number of threads.
 void couple_fire(const Params& params, double time, double dt,
-                 const std::vector<SheetState>& sheets, FireState& fire, ParticleGrid& grid,
+                 const std::vector<SheetState>& sheets, const std::vector<NodeTiles>& tiles,
+                 FireState& fire, ThreadPool& pool, CouplingScratch& scratch,
                  std::vector<NodeFire>& received, StepCounters& counters);
 
 }  // namespace ember

@@ -51,8 +51,14 @@ void run_fire(const Tick& t, StepCounters& counters) {
 
 void run_coupling(const Tick& t, StepCounters& counters) {
     const StageScope scope(t.observer, Stage::Coupling);
-    couple_fire(t.params, end_time(t), t.dt, t.state.sheets, t.state.fire, t.work.grid, t.work.fire,
-                counters);
+    const std::size_t sheets = t.state.fire.size() > 0 ? t.state.sheets.size() : 0;
+    if (t.work.tiles.size() < sheets) t.work.tiles.resize(sheets);
+    for (std::size_t s = 0; s < sheets; ++s) {
+        if (t.work.tiles[s].topology_version == t.state.sheets[s].topology_version) continue;
+        group_nodes(t.work.sheets[s].lattice, t.state.sheets[s], t.work.tiles[s]);
+    }
+    couple_fire(t.params, end_time(t), t.dt, t.state.sheets, t.work.tiles, t.state.fire, t.pool,
+                t.work.coupling, t.work.fire, counters);
 }
 
 // How to divide the tick for one sheet; substeps is 0 when no bounded number is stable.

@@ -30,7 +30,8 @@ struct SheetWorkspace {
 
 struct Workspace {
     std::vector<SheetWorkspace> sheets;
-    ParticleGrid grid;
+    CouplingScratch coupling;
+    std::vector<NodeTiles> tiles;  ///< of each sheet, once there is fire
     std::vector<NodeFire> fire;  ///< what the fire gives to each sheet in this tick
     WorldState before;           ///< the state at the start of the tick, for rolling back
 };

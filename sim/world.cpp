@@ -102,6 +102,7 @@ void World::restore(WorldState state) {
     state_ = std::move(state);
     for (SheetWorkspace& w : work_->sheets)
         w.network.topology_version = ~0ull;
+    work_->tiles.clear();
     refresh_derived(params_, state_, *work_);
 }
 

@@ -1,0 +1,62 @@
+#include "sim/patch_sums.h"
+
+namespace ember {
+namespace {
+
+// One node in each lane, one particle after the other: no lane ever waits for another, runs may
+// have any length, and the five sums of all nodes stay in registers.
+template <std::size_t kWidth>
+EMBER_LANES_INLINE void visit(const ParticleGrid& grid, const NodePatch& patch,
+                              const ParticleRun* runs, std::size_t count, double inverse_r2,
+                              double* __restrict absorbed, PatchSums& sums) {
+    using L = Lanes<kWidth>;
+    const double *__restrict px = grid.x.data(), *__restrict py = grid.y.data(),
+                             *__restrict pz = grid.z.data(), *__restrict pvx = grid.vx.data(),
+                             *__restrict pvy = grid.vy.data(), *__restrict pvz = grid.vz.data(),
+                             *__restrict heat = grid.heating.data();
+    L x, y, z, share, heating, weight, mx, my, mz;
+    x.load(patch.x.data()), y.load(patch.y.data()), z.load(patch.z.data());
+    share.load(patch.share.data());
+    heating.clear(), weight.clear(), mx.clear(), my.clear(), mz.clear();
+    for (std::size_t r = 0; r < count; ++r) {
+        for (auto i = static_cast<std::size_t>(runs[r].begin),
+                  end = static_cast<std::size_t>(runs[r].end);
+             i < end; ++i) {
+            L given;
+#pragma GCC unroll 4
+            for (std::size_t k = 0; k < L::kParts; ++k) {
+                const auto dx = px[i] - x.part[k], dy = py[i] - y.part[k], dz = pz[i] - z.part[k];
+                const auto q = 1.0 - (dx * dx + dy * dy + dz * dz) * inverse_r2;
+                // max(q, 0) = (q + |q|) / 2, without a branch or a mask
+                const auto size =
+                    (typename L::Part)((typename L::Bits)q & std::int64_t{0x7FFFFFFFFFFFFFFF});
+                const auto inside = 0.5 * (q + size);
+                const auto w = inside * inside;
+                heating.part[k] += heat[i] * w;
+                weight.part[k] += w;
+                mx.part[k] += pvx[i] * w;
+                my.part[k] += pvy[i] * w;
+                mz.part[k] += pvz[i] * w;
+                given.part[k] = share.part[k] * w;
+            }
+            absorbed[i] += sum_of(given);
+        }
+    }
+    heating.store(sums.heating.data()), weight.store(sums.weight.data());
+    mx.store(sums.momentum_x.data()), my.store(sums.momentum_y.data());
+    mz.store(sums.momentum_z.data());
+}
+
+EMBER_LANES_ENTRY(add_runs,
+                  (const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+                   std::size_t count, double inverse_r2, double* absorbed, PatchSums& sums),
+                  visit<kWidth>(grid, patch, runs, count, inverse_r2, absorbed, sums))
+
+}  // namespace
+
+void add_patch(const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+               std::size_t count, double inverse_r2, double* absorbed, PatchSums& sums) {
+    add_runs(grid, patch, runs, count, inverse_r2, absorbed, sums);
+}
+
+}  // namespace ember
