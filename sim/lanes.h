@@ -13,17 +13,17 @@
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define EMBER_LANES_CLONE(isa, width, name, parameters, call) \
     __attribute__((target(isa))) void name parameters {       \
-        constexpr std::size_t kWidth = width;                         \
+        constexpr std::size_t kWidth = width;                 \
         call;                                                 \
     }
-#define EMBER_LANES_ENTRY(name, parameters, call)          \
+#define EMBER_LANES_ENTRY(name, parameters, call)           \
     EMBER_LANES_CLONE("default", 2, name, parameters, call) \
     EMBER_LANES_CLONE("avx2", 4, name, parameters, call)    \
     EMBER_LANES_CLONE("avx512f", 8, name, parameters, call)
 #else
 #define EMBER_LANES_ENTRY(name, parameters, call) \
     void name parameters {                        \
-        constexpr std::size_t kWidth = 2;                 \
+        constexpr std::size_t kWidth = 2;         \
         call;                                     \
     }
 #endif
@@ -59,16 +59,16 @@ EMBER_LANES_INLINE double sum_of(const Lanes<2>& a) {
 EMBER_LANES_INLINE double sum_of(const Lanes<4>& a) {
     typedef double Half __attribute__((vector_size(16)));
     const auto four = a.part[0] + a.part[1];
-    const Half both = __builtin_shufflevector(four, four, 0, 1) +
-                      __builtin_shufflevector(four, four, 2, 3);
+    const Half both =
+        __builtin_shufflevector(four, four, 0, 1) + __builtin_shufflevector(four, four, 2, 3);
     return both[0] + both[1];
 }
 EMBER_LANES_INLINE double sum_of(const Lanes<8>& a) {
     typedef double Half __attribute__((vector_size(16)));
     const auto four = __builtin_shufflevector(a.part[0], a.part[0], 0, 1, 2, 3) +
                       __builtin_shufflevector(a.part[0], a.part[0], 4, 5, 6, 7);
-    const Half both = __builtin_shufflevector(four, four, 0, 1) +
-                      __builtin_shufflevector(four, four, 2, 3);
+    const Half both =
+        __builtin_shufflevector(four, four, 0, 1) + __builtin_shufflevector(four, four, 2, 3);
     return both[0] + both[1];
 }
 

@@ -46,21 +46,22 @@ EMBER_VECTORISED void pack_row(std::ptrdiff_t columns, const double* __restrict 
                                const double* __restrict damping, const double* __restrict rest,
                                double* __restrict packed) {
     for (std::ptrdiff_t begin = 0; begin < columns;
-         begin += kLanes, packed += kKinds * kConstants * kLanes) {
-        const std::ptrdiff_t lanes = columns - begin < kLanes ? columns - begin : kLanes;
-        if (lanes == kLanes) {  // of known length, so that it becomes a few vector moves
-            for (std::ptrdiff_t i = 0; i < kLanes; ++i) {
+         begin += kBlockColumns, packed += kKinds * kConstants * kBlockColumns) {
+        const std::ptrdiff_t lanes =
+            columns - begin < kBlockColumns ? columns - begin : kBlockColumns;
+        if (lanes == kBlockColumns) {  // of known length, so that it becomes a few vector moves
+            for (std::ptrdiff_t i = 0; i < kBlockColumns; ++i) {
                 packed[i] = stiffness[begin + i];
-                packed[kLanes + i] = stiffness[begin + i] * rest[begin + i];
-                packed[2 * kLanes + i] = damping[begin + i];
+                packed[kBlockColumns + i] = stiffness[begin + i] * rest[begin + i];
+                packed[2 * kBlockColumns + i] = damping[begin + i];
             }
             continue;
         }
-        for (std::ptrdiff_t i = 0; i < kLanes; ++i) {
+        for (std::ptrdiff_t i = 0; i < kBlockColumns; ++i) {
             const bool real = i < lanes;
             packed[i] = real ? stiffness[begin + i] : 0.0;
-            packed[kLanes + i] = real ? stiffness[begin + i] * rest[begin + i] : 0.0;
-            packed[2 * kLanes + i] = real ? damping[begin + i] : 0.0;
+            packed[kBlockColumns + i] = real ? stiffness[begin + i] * rest[begin + i] : 0.0;
+            packed[2 * kBlockColumns + i] = real ? damping[begin + i] : 0.0;
         }
     }
 }
@@ -70,10 +71,10 @@ constexpr std::ptrdiff_t kForceRows = kKinds * 3;  // rows of `pitch` that one l
 }  // namespace
 
 double sum_in_lanes(const double* values, std::ptrdiff_t count) {
-    std::array<double, kLanes> sum{};
+    std::array<double, kBlockColumns> sum{};
     std::ptrdiff_t i = 0;
-    for (; i + kLanes <= count; i += kLanes) {
-        for (std::size_t lane = 0; lane < kLanes; ++lane)
+    for (; i + kBlockColumns <= count; i += kBlockColumns) {
+        for (std::size_t lane = 0; lane < kBlockColumns; ++lane)
             sum[lane] += values[static_cast<std::size_t>(i) + lane];
     }
     for (std::size_t lane = 0; i < count; ++i, ++lane)
@@ -125,7 +126,7 @@ void SpringForces::prepare(const Lattice& lattice, const SheetState& sheet,
                            const SpringNetwork& network, int threads) {
     const std::ptrdiff_t padded = padded_columns(lattice.column_count);
     const std::ptrdiff_t row_size = padded * kKinds * kConstants;
-    pitch = padded + kLanes;
+    pitch = padded + kBlockColumns;
     const auto rows = static_cast<std::size_t>(lattice.row_count);
     constants.resize(rows * static_cast<std::size_t>(row_size));
     for (Index row = 0; row < lattice.row_count; ++row) {
@@ -134,11 +135,11 @@ void SpringForces::prepare(const Lattice& lattice, const SheetState& sheet,
                 lattice.slot(static_cast<Slot>(kind), lattice.site(row, 0)));
             pack_row(lattice.column_count, &network.stiffness[slot], &network.damping[slot],
                      &sheet.rest_length[slot],
-                     constants.data() + row * row_size + kind * kConstants * kLanes);
+                     constants.data() + row * row_size + kind * kConstants * kBlockColumns);
         }
     }
     const auto force_rows = static_cast<std::size_t>(kForceRows * pitch);
-    no_forces.assign_zero(force_rows + kLanes);
+    no_forces.assign_zero(force_rows + kBlockColumns);
     rings.resize(static_cast<std::size_t>(threads));
     for (AlignedArray& ring : rings)
         ring.assign_zero(3 * force_rows + static_cast<std::size_t>(5 * pitch));
@@ -154,7 +155,7 @@ RowForces::RowForces(const Lattice& lattice, const NodeMotion& motion, const Spr
       motion_(motion),
       kernel_(kernel),
       forces_(forces),
-      ring_(forces.rings[static_cast<std::size_t>(thread)].data() + kLanes),
+      ring_(forces.rings[static_cast<std::size_t>(thread)].data() + kBlockColumns),
       total_(ring_ + 3 * kForceRows * forces.pitch),
       loss_(total_ + 3 * forces.pitch) {}
 
@@ -201,7 +202,7 @@ void RowForces::next(Index row) {
     forces_.row_damping[static_cast<std::size_t>(row)] = sum_in_lanes(loss_, lattice_.column_count);
     const auto rows_above = [&](Index above) -> const double* {
         const bool exists = above >= 0 || lattice_.closed;
-        return exists ? kept(above) : forces_.no_forces.data() + kLanes;
+        return exists ? kept(above) : forces_.no_forces.data() + kBlockColumns;
     };
     kernel_.gather({kept(row), rows_above(row - 1), rows_above(row - 2), forces_.pitch,
                     lattice_.column_count, total_});

@@ -106,10 +106,10 @@ void combine(double* out, const double* base, std::span<const Term> terms, std::
 }
 
 double root_mean_square(const double* values, std::size_t count) {
-    std::array<double, kLanes> sum{};
+    std::array<double, kBlockColumns> sum{};
     std::size_t i = 0;
-    for (; i + kLanes <= count; i += kLanes) {
-        for (std::size_t lane = 0; lane < kLanes; ++lane)
+    for (; i + kBlockColumns <= count; i += kBlockColumns) {
+        for (std::size_t lane = 0; lane < kBlockColumns; ++lane)
             sum[lane] += values[i + lane] * values[i + lane];
     }
     double total = 0.0;

@@ -11,16 +11,16 @@
 
 namespace ember {
 
-inline constexpr std::ptrdiff_t kLanes = 8;      ///< columns of a block
-inline constexpr std::ptrdiff_t kKinds = 6;      ///< spring slots of a site, see lattice.h
-inline constexpr std::ptrdiff_t kConstants = 3;  ///< k [N/m], k·l [N], d [kg/s] of a spring
+inline constexpr std::ptrdiff_t kBlockColumns = 8;  ///< columns of a block
+inline constexpr std::ptrdiff_t kKinds = 6;         ///< spring slots of a site, see lattice.h
+inline constexpr std::ptrdiff_t kConstants = 3;     ///< k [N/m], k·l [N], d [kg/s] of a spring
 /// Readable elements that must follow an array of positions or velocities: the last block of the
 /// last row reaches as far.
 inline constexpr std::size_t kMotionPadding = 16;
 
 /// Columns rounded up to whole blocks.
 [[nodiscard]] constexpr std::ptrdiff_t padded_columns(std::ptrdiff_t columns) {
-    return (columns + kLanes - 1) / kLanes * kLanes;
+    return (columns + kBlockColumns - 1) / kBlockColumns * kBlockColumns;
 }
 
 /// One row of springs: those anchored at the row's sites.
@@ -31,9 +31,10 @@ struct SpringRow {
     /// [block][kind][k, k·l, d][lane]; all 0 for springs that do not exist.
     const double* constants;
     std::ptrdiff_t columns;
-    double* force;         ///< [N] on end a: [kind][component] rows of `pitch`
-    std::ptrdiff_t pitch;  ///< padded_columns + kLanes; the kLanes before each row are 0
-    double* loss;          ///< [W] lost in damping by the springs of each column
+    double* force;  ///< [N] on end a: [kind][component] rows of `pitch`
+    std::ptrdiff_t
+        pitch;     ///< padded_columns + kBlockColumns; the kBlockColumns before each row are 0
+    double* loss;  ///< [W] lost in damping by the springs of each column
     // for evaluate_drift only
     const double* drift[3] = {};  ///< [m/s] velocity of the last drift, as v
     double* friction = nullptr;   ///< [N] of the last evaluation, and then of this one:

@@ -74,8 +74,8 @@ inline Doubles spring(const double* constants, double* force, std::ptrdiff_t pit
     const Doubles dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
     const Doubles inverse = inverse_root(dx * dx + dy * dy + dz * dz);
     const Doubles rate = ((b.u - a.u) * dx + (b.v - a.v) * dy + (b.w - a.w) * dz) * inverse;
-    const Doubles friction = load(constants + 2 * kLanes) * rate;
-    const Doubles scale = load(constants) + inverse * (friction - load(constants + kLanes));
+    const Doubles friction = load(constants + 2 * kBlockColumns) * rate;
+    const Doubles scale = load(constants) + inverse * (friction - load(constants + kBlockColumns));
     store(force, scale * dx);
     store(force + pitch, scale * dy);
     store(force + 2 * pitch, scale * dz);
@@ -88,16 +88,16 @@ inline Doubles spring(const double* constants, double* force, std::ptrdiff_t pit
 template <bool kDrift>
 void evaluate(const SpringRow& given) {
     const SpringRow row = given;  // a copy that the stores below cannot be thought to change
-    const std::ptrdiff_t next_kind = 3 * row.pitch, next_constants = kConstants * kLanes;
+    const std::ptrdiff_t next_kind = 3 * row.pitch, next_constants = kConstants * kBlockColumns;
     for (std::ptrdiff_t column = 0; column < row.columns; column += kWidth) {
-        const std::ptrdiff_t block = column / kLanes, lane = column % kLanes;
+        const std::ptrdiff_t block = column / kBlockColumns, lane = column % kBlockColumns;
         const double* k = row.constants + block * kKinds * next_constants + lane;
         double* f = row.force + column;
-        double* kept = kDrift ? row.friction + block * kKinds * kLanes + lane : nullptr;
+        double* kept = kDrift ? row.friction + block * kKinds * kBlockColumns + lane : nullptr;
         std::ptrdiff_t kind = 0;
         const auto add = [&](const Ends& a, const Ends& b) {
             const Doubles loss = spring<kDrift>(k + kind * next_constants, f + kind * next_kind,
-                                                row.pitch, a, b, kept + kind * kLanes);
+                                                row.pitch, a, b, kept + kind * kBlockColumns);
             ++kind;
             return loss;
         };
