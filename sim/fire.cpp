@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/exp_array.h"
 #include "sim/math.h"
 #include "sim/random.h"
+#include "sim/vectorise.h"
 
 namespace ember {
 namespace {
@@ -26,65 +28,118 @@ struct Emitter {
     double strength;             // [1]
 };
 
-// Exact flight over `h` [s] of one particle; see advance_fire().
-void fly(const FireParams& fire, double ambient, double h, double& x, double& y, double& z,
-         Vector3& v, double& temperature) {
-    const double excess = temperature - ambient;
-    const double cooled = excess * ember::exp(-h / fire.cooling_time);
-    const double span = fire.temperature - ambient;
-    const double lift = span > 0 ? fire.buoyancy * 0.5 * (excess + cooled) / span : 0.0;
-    const double decay = ember::exp(-fire.drag * h);
-    // distance covered per unit of initial speed, and by unit lift from rest
+// What all particles that fly for the same time have in common; see advance_fire().
+struct Flight {
+    double ambient;        // [K]
+    double half_buoyancy;  // [m/s^2]
+    double span;           // [K]
+    double cooling;        // [1] share of the excess temperature that is left
+    double decay;          // [1] share of the speed that is left
+    double reach;          // [s] distance per unit of initial speed
+    double climb;          // [s^2] distance per unit of lift, from rest
+};
+
+Flight make_flight(const FireParams& fire, double ambient, double h, double cooling, double decay) {
     const double reach = fire.drag > 0 ? (1.0 - decay) / fire.drag : h;
     const double climb = fire.drag > 0 ? (h - reach) / fire.drag : 0.5 * h * h;
-    x += v.x() * reach;
-    y += v.y() * reach + lift * climb;
-    z += v.z() * reach;
-    v *= decay;
-    v.y() += lift * reach;
-    temperature = ambient + cooled;
+    const double span = fire.temperature - ambient;
+    return {
+        ambient, span > 0 ? 0.5 * fire.buoyancy : 0.0, span > 0 ? span : 1.0, cooling, decay, reach,
+        climb};
+}
+
+// Exact flight of particles [begin, end). No exponential in it: they all fly for the same time.
+EMBER_VECTORISED void fly(const Flight& flight, std::size_t begin, std::size_t end, double* x,
+                          double* y, double* z, double* vx, double* vy, double* vz,
+                          double* temperature) {
+    const Flight f = flight;
+#pragma GCC ivdep
+    for (std::size_t i = begin; i < end; ++i) {
+        const double excess = temperature[i] - f.ambient, cooled = excess * f.cooling;
+        const double lift = f.half_buoyancy * (excess + cooled) / f.span;
+        x[i] += vx[i] * f.reach;
+        y[i] += vy[i] * f.reach + lift * f.climb;
+        z[i] += vz[i] * f.reach;
+        vx[i] *= f.decay;
+        vy[i] = vy[i] * f.decay + lift * f.reach;
+        vz[i] *= f.decay;
+        temperature[i] = f.ambient + cooled;
+    }
+}
+
+void fly(const Flight& flight, std::size_t begin, std::size_t end, FireState& fire) {
+    fly(flight, begin, end, fire.position.x.data(), fire.position.y.data(), fire.position.z.data(),
+        fire.velocity.x.data(), fire.velocity.y.data(), fire.velocity.z.data(),
+        fire.temperature.data());
 }
 
 void move_particles(const Params& params, double dt, FireState& fire) {
-    for (std::size_t i = 0; i < fire.size(); ++i) {
-        Vector3 v = fire.velocity.at(i);
-        fly(params.fire, params.heat.ambient, dt, fire.position.x[i], fire.position.y[i],
-            fire.position.z[i], v, fire.temperature[i]);
-        fire.velocity.set(i, v);
-    }
-}
-
-// Removes particles whose time is over, keeping the others in order.
-void remove_dead(double now, FireState& fire) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < fire.size(); ++i) {
-        if (fire.death[i] <= now) continue;
-        if (kept != i) {
-            fire.position.set(kept, fire.position.at(i));
-            fire.velocity.set(kept, fire.velocity.at(i));
-            fire.temperature[kept] = fire.temperature[i];
-            fire.strength[kept] = fire.strength[i];
-            fire.birth[kept] = fire.birth[i];
-            fire.death[kept] = fire.death[i];
-            fire.id[kept] = fire.id[i];
-        }
-        ++kept;
-    }
-    fire.position.resize(kept);
-    fire.velocity.resize(kept);
-    fire.temperature.resize(kept);
-    fire.strength.resize(kept);
-    fire.birth.resize(kept);
-    fire.death.resize(kept);
-    fire.id.resize(kept);
-}
-
-void emit_one(const Params& params, std::uint64_t seed, const Emitter& emitter, std::uint64_t k,
-              double birth, double time, double dt, FireState& fire) {
-    const auto bits = [&](std::uint64_t lane) {
-        return random_bits(seed, RandomUse::Particle, emitter.stream, k, lane);
-    };
     const FireParams& f = params.fire;
+    fly(make_flight(f, params.heat.ambient, dt, ember::exp(-dt / f.cooling_time),
+                    ember::exp(-f.drag * dt)),
+        0, fire.size(), fire);
+}
+
+// Particles born in this tick, each with its own time to fly until `end` [s].
+void fly_new(const Params& params, double end, std::size_t first, FireState& fire) {
+    const FireParams& f = params.fire;
+    constexpr std::size_t kAtOnce = 64;  // exponentials in one call
+    double cooling[kAtOnce], decay[kAtOnce];
+    for (std::size_t begin = first; begin < fire.size(); begin += kAtOnce) {
+        const std::size_t count = std::min(kAtOnce, fire.size() - begin);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double h = end - fire.birth[begin + i];
+            cooling[i] = -h / f.cooling_time;
+            decay[i] = -f.drag * h;
+        }
+        exp_array(cooling, static_cast<std::ptrdiff_t>(count));
+        exp_array(decay, static_cast<std::ptrdiff_t>(count));
+        for (std::size_t i = 0; i < count; ++i) {
+            const Flight flight = make_flight(f, params.heat.ambient, end - fire.birth[begin + i],
+                                              cooling[i], decay[i]);
+            fly(flight, begin + i, begin + i + 1, fire);
+        }
+    }
+}
+
+// Calls visit(array) for every array of the particles.
+template <class Visitor>
+void for_each_array(FireState& fire, Visitor&& visit) {
+    visit(fire.position.x), visit(fire.position.y), visit(fire.position.z);
+    visit(fire.velocity.x), visit(fire.velocity.y), visit(fire.velocity.z);
+    visit(fire.temperature), visit(fire.strength), visit(fire.birth), visit(fire.death);
+    visit(fire.id);
+}
+
+// Removes particles whose time is over, keeping the others in order. Most live on from tick to
+// tick, so whole stretches between the dead are moved at once, and those before the first not.
+void remove_dead(double now, FireState& fire) {
+    const std::size_t count = fire.size();
+    const std::vector<double>& death = fire.death;
+    std::size_t kept = 0;
+    while (kept < count && death[kept] > now)
+        ++kept;
+    for (std::size_t end = kept; end < count;) {
+        std::size_t begin = end;
+        while (begin < count && !(death[begin] > now))
+            ++begin;
+        end = begin;
+        while (end < count && death[end] > now)
+            ++end;
+        for_each_array(fire, [&](auto& array) {
+            std::copy(array.begin() + static_cast<std::ptrdiff_t>(begin),
+                      array.begin() + static_cast<std::ptrdiff_t>(end),
+                      array.begin() + static_cast<std::ptrdiff_t>(kept));
+        });
+        kept += end - begin;
+    }
+    for_each_array(fire, [&](auto& array) { array.resize(kept); });
+}
+
+// Adds a particle as it is at birth; fly_new() then moves it.
+void emit_one(const FireParams& f, const Emitter& emitter, std::uint64_t random, std::uint64_t k,
+              double birth, double time, double dt, FireState& fire) {
+    const auto bits = [random](std::uint64_t lane) { return mix(random ^ lane); };
     const double life = f.life_min + uniform_from(bits(1)) * (f.life_max - f.life_min);
     const double death = birth + life;
     if (death <= time + dt) return;  // born and gone within one tick
@@ -94,12 +149,9 @@ void emit_one(const Params& params, std::uint64_t seed, const Emitter& emitter, 
     Vector3 velocity =
         f.lateral_speed * Vector3(bell_from(bits(4)), bell_from(bits(5)), bell_from(bits(6)));
     velocity.y() += emitter.rise;
-    double temperature = f.temperature;
-    fly(f, params.heat.ambient, time + dt - birth, position.x(), position.y(), position.z(),
-        velocity, temperature);
     fire.position.push_back(position);
     fire.velocity.push_back(velocity);
-    fire.temperature.push_back(temperature);
+    fire.temperature.push_back(f.temperature);
     fire.strength.push_back(emitter.strength);
     fire.birth.push_back(birth);
     fire.death.push_back(death);
@@ -111,16 +163,30 @@ void emit(const Params& params, std::uint64_t seed, const Emitter& emitter, doub
           FireState& fire, StepCounters& counters) {
     const double from = std::max(time, emitter.start), to = std::min(time + dt, emitter.end);
     if (!(to > from) || !(emitter.rate > 0)) return;
+    const std::uint64_t stream = random_stream(seed, RandomUse::Particle, emitter.stream);
     const double first = std::floor((from - emitter.start) * emitter.rate) - 1.0;
     for (auto k = static_cast<std::uint64_t>(std::max(0.0, first));; ++k) {
         const auto number = static_cast<double>(k);
         if (emitter.start + number / emitter.rate >= to) break;
-        const double jitter = random_uniform(seed, RandomUse::Particle, emitter.stream, k, 0);
+        const std::uint64_t random = random_index(stream, k);
+        const double jitter = uniform_from(mix(random));
         const double birth = emitter.start + (number + jitter) / emitter.rate;
         if (birth < from || birth >= to) continue;
-        emit_one(params, seed, emitter, k, birth, time, dt, fire);
+        emit_one(params.fire, emitter, random, k, birth, time, dt, fire);
         ++counters.particles_born;
     }
+}
+
+void emit_from_node(const Params& params, std::uint64_t seed, std::size_t sheet_number,
+                    const SheetState& sheet, std::size_t n, double time, double dt, FireState& fire,
+                    StepCounters& counters) {
+    ++counters.emitters_visited;
+    const double area = sheet.initial_mass[n] / params.paper.grammage;
+    emit(params, seed,
+         {node_stream(sheet_number, n), sheet.position.at(n), sheet.velocity.at(n), 0.0,
+          sheet.ignition_time[n], time + dt, params.fire.emission * area, params.fire.rise_speed,
+          params.fire.node_strength},
+         time, dt, fire, counters);
 }
 
 }  // namespace
@@ -130,12 +196,18 @@ bool lighter_lit(const LighterParams& lighter, double time, double dt) {
 }
 
 void advance_fire(const Params& params, std::uint64_t seed, double time, double dt,
-                  const std::vector<SheetState>& sheets, FireState& fire, StepCounters& counters) {
-    counters.particles_moved += static_cast<std::int64_t>(fire.size());
-    move_particles(params, dt, fire);
-    remove_dead(time + dt, fire);
+                  const std::vector<SheetState>& sheets,
+                  const std::vector<const ActiveNodes*>& active, FireState& fire,
+                  StepCounters& counters) {
+    if (fire.size() > 0) {
+        counters.particles_moved += static_cast<std::int64_t>(fire.size());
+        move_particles(params, dt, fire);
+        remove_dead(time + dt, fire);
+    }
+    const std::size_t older = fire.size();
     const LighterParams& l = params.lighter;
     if (lighter_lit(l, time, dt)) {
+        ++counters.emitters_visited;
         emit(params, seed,
              {kLighterStream,
               {l.x, l.y, l.z},
@@ -148,19 +220,20 @@ void advance_fire(const Params& params, std::uint64_t seed, double time, double 
               l.strength},
              time, dt, fire, counters);
     }
-    if (!(params.fire.emission > 0)) return;
-    for (std::size_t s = 0; s < sheets.size(); ++s) {
+    for (std::size_t s = 0; s < sheets.size() && params.fire.emission > 0; ++s) {
         const SheetState& sheet = sheets[s];
+        if (active[s] != nullptr) {
+            for (const Index n : active[s]->burning)
+                emit_from_node(params, seed, s, sheet, static_cast<std::size_t>(n), time, dt, fire,
+                               counters);
+            continue;
+        }
         for (std::size_t n = 0; n < sheet.phase.size(); ++n) {
-            if (sheet.phase[n] != Phase::Burning) continue;
-            const double area = sheet.initial_mass[n] / params.paper.grammage;
-            emit(params, seed,
-                 {node_stream(s, n), sheet.position.at(n), sheet.velocity.at(n), 0.0,
-                  sheet.ignition_time[n], time + dt, params.fire.emission * area,
-                  params.fire.rise_speed, params.fire.node_strength},
-                 time, dt, fire, counters);
+            if (sheet.phase[n] == Phase::Burning)
+                emit_from_node(params, seed, s, sheet, n, time, dt, fire, counters);
         }
     }
+    fly_new(params, time + dt, older, fire);
 }
 
 }  // namespace ember

@@ -5,6 +5,7 @@
 // they fly, therefore does not depend on the tick: a shorter tick refines the same fire.
 #pragma once
 
+#include "sim/active_nodes.h"
 #include "sim/params.h"
 #include "sim/step_stats.h"
 #include "sim/world_state.h"
@@ -15,8 +16,11 @@ namespace ember {
 /// are born in it. Between collisions with nothing, a particle obeys
 ///     dv/dt = b u/u0 ŷ - γ v,   du/dt = -u/τ,   u = T - ambient
 /// whose solution is used exactly, with u frozen at its mean over the tick in the first.
+/// `active`: the burning nodes of each sheet; nullptr to look for them at every node.
 void advance_fire(const Params& params, std::uint64_t seed, double time, double dt,
-                  const std::vector<SheetState>& sheets, FireState& fire, StepCounters& counters);
+                  const std::vector<SheetState>& sheets,
+                  const std::vector<const ActiveNodes*>& active, FireState& fire,
+                  StepCounters& counters);
 
 /// Whether the lighter burns at some moment of [time, time + dt).
 [[nodiscard]] bool lighter_lit(const LighterParams& lighter, double time, double dt);

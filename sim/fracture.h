@@ -1,6 +1,7 @@
 // Cracks (section 4.4): a burnt bending spring that is stretched too far opens the sheet across it.
 #pragma once
 
+#include "sim/active_nodes.h"
 #include "sim/params.h"
 #include "sim/spring_network.h"
 #include "sim/step_stats.h"
@@ -16,11 +17,13 @@ namespace ember {
 /// and cutting everything at once turns a sheet into powder. All times are physical, so the
 /// pattern does not depend on the tick.
 ///
+/// active: of the sheet as it is. Only springs between the first and the last burnt site of a row
+/// are looked at; all of them without numerics.skip.
 /// burnt_out: sites that burnt out in this tick; together with the neighbours of cuts they may
 /// have become hinges. Returns the number of cuts, hinges released included.
 std::int64_t break_burnt_springs(const Lattice& lattice, const Params& params,
-                                 const SpringNetwork& network, double time,
-                                 const std::vector<Index>& burnt_out, SheetState& sheet,
-                                 StepCounters& counters);
+                                 const SpringNetwork& network, const ActiveNodes& active,
+                                 double time, const std::vector<Index>& burnt_out,
+                                 SheetState& sheet, StepCounters& counters);
 
 }  // namespace ember

@@ -27,11 +27,19 @@ enum class RandomUse : std::uint64_t {
 [[nodiscard]] constexpr std::uint64_t random_bits(std::uint64_t seed, RandomUse use,
                                                   std::uint64_t stream, std::uint64_t index,
                                                   std::uint64_t lane = 0) {
-    std::uint64_t h = mix(seed);
-    h = mix(h ^ static_cast<std::uint64_t>(use));
-    h = mix(h ^ stream);
-    h = mix(h ^ index);
-    return mix(h ^ lane);
+    const std::uint64_t h = mix(mix(mix(seed) ^ static_cast<std::uint64_t>(use)) ^ stream);
+    return mix(mix(h ^ index) ^ lane);
+}
+
+/// The part of random_bits() that a whole stream shares, and the part that an index of it does:
+///     random_bits(seed, use, stream, index, lane) =
+///         mix(random_index(random_stream(seed, use, stream), index) ^ lane)
+[[nodiscard]] constexpr std::uint64_t random_stream(std::uint64_t seed, RandomUse use,
+                                                    std::uint64_t stream) {
+    return mix(mix(mix(seed) ^ static_cast<std::uint64_t>(use)) ^ stream);
+}
+[[nodiscard]] constexpr std::uint64_t random_index(std::uint64_t stream_bits, std::uint64_t index) {
+    return mix(stream_bits ^ index);
 }
 
 /// Uniform in [0, 1), a multiple of 2^-53.

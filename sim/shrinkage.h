@@ -11,6 +11,7 @@
 // "half", half the number of burning ends for every spring.
 #pragma once
 
+#include "sim/active_nodes.h"
 #include "sim/lattice.h"
 #include "sim/params.h"
 #include "sim/step_stats.h"
@@ -18,8 +19,9 @@
 
 namespace ember {
 
-/// Shrinks the rest lengths of one sheet over `dt` [s]. Only slots at burning sites are visited.
+/// Shrinks the rest lengths of one sheet over `dt` [s]. `active`: of the sheet as it is. Only slots
+/// between the first and the last burning site of a row are visited; all of them without `skip`.
 void shrink_burning_springs(const Lattice& lattice, const Params& params, double dt,
-                            SheetState& sheet, StepCounters& counters);
+                            const ActiveNodes& active, SheetState& sheet, StepCounters& counters);
 
 }  // namespace ember

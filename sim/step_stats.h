@@ -38,6 +38,7 @@ class StageObserver {
 /// Work done in one tick; a stage with nothing to do counts zero.
 struct StepCounters {
     std::int64_t particles_born = 0, particles_moved = 0;
+    std::int64_t emitters_visited = 0;
     std::int64_t coupling_pairs = 0;  ///< node-particle distances looked at
     std::int64_t substeps = 0, substeps_rejected = 0;
     std::int64_t right_hand_sides = 0, spring_evaluations = 0;
@@ -46,6 +47,9 @@ struct StepCounters {
     std::int64_t heat_substeps = 0, heat_nodes = 0;
     std::int64_t heat_guarded = 0;  ///< steps of RKL2 or ADI that overshot and were done again
     std::int64_t nodes_ignited = 0, nodes_burning = 0, nodes_burnt_out = 0;
+    std::int64_t burning_visited = 0;                          ///< nodes
+    std::int64_t shrinkage_visited = 0, fracture_visited = 0;  ///< spring slots
+    std::int64_t ground_visited = 0;                           ///< nodes
     std::int64_t springs_shrunk = 0;
     std::int64_t cuts = 0, nodes_added = 0, ground_contacts = 0;
 };

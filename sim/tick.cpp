@@ -45,8 +45,11 @@ double energy_change(const Tick& t) {
 
 void run_fire(const Tick& t, StepCounters& counters) {
     const StageScope scope(t.observer, Stage::Fire);
+    t.work.active.clear();
+    for (const SheetWorkspace& w : t.work.sheets)
+        t.work.active.push_back(t.params.numerics.skip ? &w.active : nullptr);
     advance_fire(t.params, static_cast<std::uint64_t>(t.params.numerics.seed), t.state.time, t.dt,
-                 t.state.sheets, t.state.fire, counters);
+                 t.state.sheets, t.work.active, t.state.fire, counters);
 }
 
 void run_coupling(const Tick& t, StepCounters& counters) {
@@ -119,7 +122,7 @@ void run_ground(const Tick& t, StepCounters& counters) {
     if (!t.params.world.ground) return;
     std::int64_t touched = 0;
     for (SheetState& sheet : t.state.sheets)
-        touched += rest_on_ground(sheet, t.dt, counters);
+        touched += rest_on_ground(sheet, t.dt, t.params.numerics.skip, counters);
     if (touched > 0) t.state.energy.change_ground += energy_change(t);
 }
 
@@ -148,15 +151,22 @@ void run_heat(const Tick& t, StepReport& report) {
 
 void run_burning(const Tick& t, StepCounters& counters) {
     const StageScope scope(t.observer, Stage::Burning);
+    // nothing is warmer than its surroundings and nothing burns: nothing can change
+    const bool cold = t.state.heat.stored == 0.0 &&
+                      t.params.burning.ignition > t.params.heat.ambient && t.params.numerics.skip;
     double gone = 0;
     for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
         SheetState& sheet = t.state.sheets[s];
         SheetWorkspace& w = t.work.sheets[s];
         w.burnt_out.clear();
+        if (cold && w.active.burning.empty()) continue;
+        const std::int64_t changes = counters.nodes_ignited + counters.nodes_burnt_out;
         const double burnt =
-            update_phases(t.params, end_time(t), t.dt * t.params.burning.burn_speed, sheet,
-                          w.burnt_out, counters);
+            update_phases(t.params, end_time(t), t.dt * t.params.burning.burn_speed,
+                          t.work.active[s], sheet, w.burnt_out, counters);
         gone += burnt;
+        if (counters.nodes_ignited + counters.nodes_burnt_out != changes)
+            find_active(w.lattice, sheet, w.active);
         if (burnt > 0) weaken_springs(w.lattice, sheet, t.params.springs.follows_mass, w.network);
     }
     t.state.totals.burnt_mass += gone;
@@ -168,8 +178,8 @@ void run_burning(const Tick& t, StepCounters& counters) {
 void run_shrinkage(const Tick& t, StepCounters& counters) {
     const StageScope scope(t.observer, Stage::Shrinkage);
     for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
-        shrink_burning_springs(t.work.sheets[s].lattice, t.params, t.dt, t.state.sheets[s],
-                               counters);
+        shrink_burning_springs(t.work.sheets[s].lattice, t.params, t.dt, t.work.sheets[s].active,
+                               t.state.sheets[s], counters);
     }
     if (counters.springs_shrunk > 0) t.state.energy.change_rest_length += energy_change(t);
 }
@@ -178,7 +188,7 @@ void run_fracture(const Tick& t, StepCounters& counters) {
     const StageScope scope(t.observer, Stage::Fracture);
     for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
         SheetWorkspace& w = t.work.sheets[s];
-        break_burnt_springs(w.lattice, t.params, w.network, end_time(t), w.burnt_out,
+        break_burnt_springs(w.lattice, t.params, w.network, w.active, end_time(t), w.burnt_out,
                             t.state.sheets[s], counters);
     }
     t.state.totals.cuts += counters.cuts;
@@ -228,6 +238,7 @@ void refresh_derived(const Params& params, const WorldState& state, Workspace& w
             rebuild_heat(w.lattice, sheet, w.network, params.paper, w.heat);
         }
         weaken_springs(w.lattice, sheet, params.springs.follows_mass, w.network);
+        find_active(w.lattice, sheet, w.active);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/active_nodes.h"
 #include "sim/energy.h"
 #include "sim/fire_coupling.h"
 #include "sim/heat.h"
@@ -25,15 +26,17 @@ struct SheetWorkspace {
     StabilityScratch stability;
     IntegratorScratch integration;
     HeatScratch heat;
+    ActiveNodes active;            ///< follows the sheet's phases
     std::vector<Index> burnt_out;  ///< sites that burnt out in this tick
 };
 
 struct Workspace {
     std::vector<SheetWorkspace> sheets;
     CouplingScratch coupling;
-    std::vector<NodeTiles> tiles;  ///< of each sheet, once there is fire
-    std::vector<NodeFire> fire;  ///< what the fire gives to each sheet in this tick
-    WorldState before;           ///< the state at the start of the tick, for rolling back
+    std::vector<NodeTiles> tiles;            ///< of each sheet, once there is fire
+    std::vector<const ActiveNodes*> active;  ///< of each sheet; nullptr to look at every node
+    std::vector<NodeFire> fire;              ///< what the fire gives to each sheet in this tick
+    WorldState before;  ///< the state at the start of the tick, for rolling back
 };
 
 }  // namespace ember
