@@ -58,7 +58,7 @@ struct StepCounters {
 template <class Counters, class Visitor>
 void for_each_counter(Counters& c, Visitor&& visit) {
     visit("particles_born", c.particles_born), visit("particles_moved", c.particles_moved);
-    visit("coupling_pairs", c.coupling_pairs);
+    visit("emitters_visited", c.emitters_visited), visit("coupling_pairs", c.coupling_pairs);
     visit("substeps", c.substeps), visit("substeps_rejected", c.substeps_rejected);
     visit("right_hand_sides", c.right_hand_sides);
     visit("spring_evaluations", c.spring_evaluations);
@@ -67,6 +67,9 @@ void for_each_counter(Counters& c, Visitor&& visit) {
     visit("heat_guarded", c.heat_guarded);
     visit("nodes_ignited", c.nodes_ignited), visit("nodes_burning", c.nodes_burning);
     visit("nodes_burnt_out", c.nodes_burnt_out), visit("springs_shrunk", c.springs_shrunk);
+    visit("burning_visited", c.burning_visited), visit("ground_visited", c.ground_visited);
+    visit("shrinkage_visited", c.shrinkage_visited);
+    visit("fracture_visited", c.fracture_visited);
     visit("cuts", c.cuts), visit("nodes_added", c.nodes_added);
     visit("ground_contacts", c.ground_contacts);
 }

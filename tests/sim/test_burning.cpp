@@ -17,22 +17,34 @@ namespace {
 using test::plain;
 using test::Rig;
 
+ActiveNodes active_in(const Rig& rig) {
+    ActiveNodes active;
+    find_active(rig.lattice, rig.sheet, active);
+    return active;
+}
+
+std::vector<NodeTiles> tiles_of(const Rig& rig) {
+    std::vector<NodeTiles> tiles(1);
+    group_nodes(rig.lattice, rig.sheet, tiles[0]);
+    return tiles;
+}
+
 TEST(Burning, ANodeLosesMassAtTheBurnRateUntilTheResidueIsLeft) {
     Params p = plain(2, 2);
     Rig rig(p);
     std::vector<Index> out;
     rig.sheet.temperature[4] = p.burning.ignition;  // the inner node, one cell of area
     const double start = rig.sheet.mass[4], dt = 1.0 / 60, area = 1e-4;
-    double gone = update_phases(p, dt, dt, rig.sheet, out, rig.counters);
+    double gone = update_phases(p, dt, dt, nullptr, rig.sheet, out, rig.counters);
     EXPECT_EQ(rig.sheet.phase[4], Phase::Burning);
     EXPECT_EQ(rig.sheet.ignition_time[4], dt);
     EXPECT_EQ(gone, 0.0);
-    gone = update_phases(p, 2 * dt, dt, rig.sheet, out, rig.counters);
+    gone = update_phases(p, 2 * dt, dt, nullptr, rig.sheet, out, rig.counters);
     EXPECT_NEAR(gone, p.burning.burn_rate * area * dt, 1e-18);
     EXPECT_NEAR(start - rig.sheet.mass[4], gone, 1e-18);
     int ticks = 2;
     for (; rig.sheet.phase[4] == Phase::Burning; ++ticks) {
-        gone += update_phases(p, (ticks + 1) * dt, dt, rig.sheet, out, rig.counters);
+        gone += update_phases(p, (ticks + 1) * dt, dt, nullptr, rig.sheet, out, rig.counters);
     }
     EXPECT_NEAR(rig.sheet.mass[4], 0.2 * start, 1e-20);
     EXPECT_NEAR(gone, 0.8 * start, 1e-17);  // the ledger
@@ -51,7 +63,7 @@ TEST(Burning, HeldNodesDoNotBurn) {
     Rig rig(p);
     rig.sheet.temperature.assign(9, 2000.0);
     std::vector<Index> out;
-    update_phases(p, 0, 0.01, rig.sheet, out, rig.counters);
+    update_phases(p, 0, 0.01, nullptr, rig.sheet, out, rig.counters);
     EXPECT_EQ(rig.sheet.phase[rig.site(1, 0)], Phase::Unburnt);
     EXPECT_EQ(rig.sheet.phase[rig.site(1, 1)], Phase::Burning);
 }
@@ -73,7 +85,8 @@ double rest_ratio(const Rig& rig, Slot kind, Index row, Index column) {
 
 TEST(Shrinkage, IsEquation4ByHand) {
     Rig rig = two_burning();
-    shrink_burning_springs(rig.lattice, rig.params, 1.0 / 60, rig.sheet, rig.counters);
+    shrink_burning_springs(rig.lattice, rig.params, 1.0 / 60, active_in(rig), rig.sheet,
+                           rig.counters);
     // one application: factor (T_a + T_b) / (k_s c_s), with k_s = 7e3 G A_ref
     const double k_s = 7e3 * 0.080 * 0.21 * 0.297 / (33 * 49);
     EXPECT_NEAR(1 - rest_ratio(rig, Slot::Main, 2, 2), 5e-12 * 1600 / (k_s * 2e-4), 1e-12);
@@ -88,9 +101,11 @@ TEST(Shrinkage, IsEquation4ByHand) {
 
 TEST(Shrinkage, DoesNotDependOnTheStep) {
     Rig once = two_burning(), often = two_burning();
-    shrink_burning_springs(once.lattice, once.params, 0.5, once.sheet, once.counters);
+    shrink_burning_springs(once.lattice, once.params, 0.5, active_in(once), once.sheet,
+                           once.counters);
     for (int i = 0; i < 8; ++i) {
-        shrink_burning_springs(often.lattice, often.params, 0.0625, often.sheet, often.counters);
+        shrink_burning_springs(often.lattice, often.params, 0.0625, active_in(often), often.sheet,
+                               often.counters);
     }
     EXPECT_NEAR(rest_ratio(once, Slot::Main, 2, 2), rest_ratio(often, Slot::Main, 2, 2), 1e-14);
     EXPECT_LT(rest_ratio(once, Slot::Main, 2, 2), 0.999);
@@ -98,24 +113,28 @@ TEST(Shrinkage, DoesNotDependOnTheStep) {
 
 TEST(Shrinkage, StopsAtTheFloorAndHasTheRulesOfTheTable) {
     Rig floor = two_burning();
-    shrink_burning_springs(floor.lattice, floor.params, 1e6, floor.sheet, floor.counters);
+    shrink_burning_springs(floor.lattice, floor.params, 1e6, active_in(floor), floor.sheet,
+                           floor.counters);
     EXPECT_EQ(rest_ratio(floor, Slot::Main, 2, 2), 0.7);
     Rig half = two_burning();
     half.params.shrinkage.rule = ShrinkRule::Half;
-    shrink_burning_springs(half.lattice, half.params, 1.0 / 60, half.sheet, half.counters);
+    shrink_burning_springs(half.lattice, half.params, 1.0 / 60, active_in(half), half.sheet,
+                           half.counters);
     EXPECT_LT(rest_ratio(half, Slot::Main, 2, 3), 1.0);
     Rig literal = two_burning();
     literal.params.shrinkage.literal_stiffness = true;
-    shrink_burning_springs(literal.lattice, literal.params, 1.0 / 60, literal.sheet,
-                           literal.counters);
+    shrink_burning_springs(literal.lattice, literal.params, 1.0 / 60, active_in(literal),
+                           literal.sheet, literal.counters);
     Rig usual = two_burning();
-    shrink_burning_springs(usual.lattice, usual.params, 1.0 / 60, usual.sheet, usual.counters);
+    shrink_burning_springs(usual.lattice, usual.params, 1.0 / 60, active_in(usual), usual.sheet,
+                           usual.counters);
     EXPECT_NEAR((1 - rest_ratio(usual, Slot::BendMain, 2, 0)) /
                     (1 - rest_ratio(literal, Slot::BendMain, 2, 0)),
                 2e4 / 7e3, 1e-9);
     Rig none = two_burning();
     none.params.shrinkage.factor = 0;
-    shrink_burning_springs(none.lattice, none.params, 1.0, none.sheet, none.counters);
+    shrink_burning_springs(none.lattice, none.params, 1.0, active_in(none), none.sheet,
+                           none.counters);
     EXPECT_EQ(none.counters.springs_shrunk, 0);
 }
 
@@ -134,7 +153,7 @@ FireState burn_for(double time, double dt) {
         rig.sheet.position.set(4, start + velocity * (i * dt));
         rig.sheet.velocity.set(4, velocity);
         std::vector<SheetState> sheets{rig.sheet};
-        advance_fire(p, 1, i * dt, dt, sheets, fire, rig.counters);
+        advance_fire(p, 1, i * dt, dt, sheets, {nullptr}, fire, rig.counters);
     }
     return fire;
 }
@@ -164,7 +183,7 @@ TEST(Fire, RatesAndLivesAreWhatTheParametersSay) {
     StepCounters counters;
     const std::vector<SheetState> none;
     for (int i = 0; i < 180; ++i)
-        advance_fire(p, 1, i / 60.0, 1 / 60.0, none, fire, counters);
+        advance_fire(p, 1, i / 60.0, 1 / 60.0, none, {}, fire, counters);
     // 250/s for 1.5 s, to one particle
     EXPECT_NEAR(static_cast<double>(counters.particles_born), 375.0, 1.0);
     EXPECT_EQ(fire.size(), 0u);  // all dead by 1.5 + 0.7 s
@@ -191,10 +210,10 @@ TEST(Coupling, GivesTheKernelsHeatWithinItsRadiusAndNothingBeyond) {
     p.fire.heating_limit = 1e8;  // no saturation
     Rig rig(p);
     FireState fire = one_particle(rig, 0.015);
-    ParticleGrid grid;
+    CouplingScratch grid;
     std::vector<NodeFire> received;
     const std::vector<SheetState> sheets{rig.sheet};
-    couple_fire(p, 0, 1e-9, sheets, fire, grid, received, rig.counters);
+    couple_fire(p, 0, 1e-9, sheets, tiles_of(rig), fire, *rig.pool, grid, received, rig.counters);
     const double a = particle_heating(p.fire, p.paper);
     EXPECT_NEAR(a, 6000.0, 1e-9);
     for (Index r = 0; r < 9; ++r) {
@@ -212,7 +231,7 @@ TEST(Coupling, AParticleLosesWhatItGives) {
     Params p = plain(8, 8);
     Rig rig(p);
     FireState near = one_particle(rig, 0.005), far = one_particle(rig, 0.5);
-    ParticleGrid grid;
+    CouplingScratch grid;
     std::vector<NodeFire> received;
     const std::vector<SheetState> sheets{rig.sheet};
     const double hot = near.temperature[0];
@@ -226,14 +245,15 @@ TEST(Coupling, AParticleLosesWhatItGives) {
             sum += 1e-4 / r2 * q * q;
         }
     }
-    couple_fire(p, 0, 0.01, sheets, near, grid, received, rig.counters);
+    couple_fire(p, 0, 0.01, sheets, tiles_of(rig), near, *rig.pool, grid, received, rig.counters);
     EXPECT_NEAR((near.temperature[0] - 293.15) / (hot - 293.15),
                 std::exp(-p.fire.absorption * sum * 0.01), 1e-9);
-    couple_fire(p, 0, 0.01, sheets, far, grid, received, rig.counters);
+    couple_fire(p, 0, 0.01, sheets, tiles_of(rig), far, *rig.pool, grid, received, rig.counters);
     EXPECT_EQ(far.temperature[0], hot);
     rig.sheet.phase.assign(rig.sheet.phase.size(), Phase::BurntOut);  // ash takes nothing
     FireState over_ash = one_particle(rig, 0.005);
-    couple_fire(p, 0, 0.01, {rig.sheet}, over_ash, grid, received, rig.counters);
+    couple_fire(p, 0, 0.01, {rig.sheet}, tiles_of(rig), over_ash, *rig.pool, grid, received,
+                rig.counters);
     EXPECT_EQ(over_ash.temperature[0], hot);
     EXPECT_EQ(received[0].heating[rig.site(4, 4)], 0.0);
 }
@@ -251,9 +271,10 @@ TEST(Coupling, ManyParticlesSaturate) {
         fire.death.push_back(1);
         fire.id.push_back(static_cast<std::uint64_t>(i));
     }
-    ParticleGrid grid;
+    CouplingScratch grid;
     std::vector<NodeFire> received;
-    couple_fire(p, 0, 0.01, {rig.sheet}, fire, grid, received, rig.counters);
+    couple_fire(p, 0, 0.01, {rig.sheet}, tiles_of(rig), fire, *rig.pool, grid, received,
+                rig.counters);
     EXPECT_LE(received[0].heating[rig.site(4, 4)], p.fire.heating_limit);
     EXPECT_GT(received[0].heating[rig.site(4, 4)], 0.99 * p.fire.heating_limit);
     const double pull = Vector3(received[0].force.at(rig.site(4, 4))).norm();
@@ -263,12 +284,13 @@ TEST(Coupling, ManyParticlesSaturate) {
 TEST(Coupling, NoParticlesNoWork) {
     Rig rig(plain(8, 8));
     FireState fire;
-    ParticleGrid grid;
+    CouplingScratch grid;
     std::vector<NodeFire> received;
-    couple_fire(rig.params, 0, 0.01, {rig.sheet}, fire, grid, received, rig.counters);
+    couple_fire(rig.params, 0, 0.01, {rig.sheet}, tiles_of(rig), fire, *rig.pool, grid, received,
+                rig.counters);
     EXPECT_EQ(rig.counters.coupling_pairs, 0);
     EXPECT_TRUE(received[0].heating.empty());
-    EXPECT_TRUE(grid.begin.empty());
+    EXPECT_TRUE(grid.grid.begin.empty());
 }
 
 }  // namespace

@@ -278,8 +278,10 @@ Rig pulled_strip(double stretch) {
 }
 
 std::int64_t break_strip(Rig& rig, double time) {
-    const auto cuts = break_burnt_springs(rig.lattice, rig.params, rig.network, time, {}, rig.sheet,
-                                          rig.counters);
+    ActiveNodes active;
+    find_active(rig.lattice, rig.sheet, active);
+    const auto cuts = break_burnt_springs(rig.lattice, rig.params, rig.network, active, time, {},
+                                          rig.sheet, rig.counters);
     rig.refresh();
     return cuts;
 }
