@@ -84,10 +84,11 @@ double sum_in_lanes(const double* values, std::ptrdiff_t count) {
 
 void ExtraSprings::prepare(const SheetState& sheet, const SpringNetwork& network) {
     const std::size_t count = network.extra.size();
-    for (auto* array : {&stiffness, &tension, &damping, &x, &y, &z, &loss, &friction})
+    for (auto* array : {&stiffness, &tension, &damping, &x, &y, &z, &loss})
         array->resize(count);
     a.resize(count);
     b.resize(count);
+    friction.assign(count, 0.0);
     total.assign(count > 0 ? 3 * sheet.mass.size() : 0, 0.0);
     for (std::size_t i = 0; i < count; ++i) {
         const ExtraSpring& spring = network.extra[i];
@@ -143,7 +144,7 @@ void SpringForces::prepare(const Lattice& lattice, const SheetState& sheet,
     rings.resize(static_cast<std::size_t>(threads));
     for (AlignedArray& ring : rings)
         ring.assign_zero(3 * force_rows + static_cast<std::size_t>(5 * pitch));
-    friction.resize(rows * static_cast<std::size_t>(padded * kKinds));
+    friction.assign_zero(rows * static_cast<std::size_t>(padded * kKinds));
     row_damping.assign(rows, 0.0);
     row_drag.assign(rows, 0.0);
     extra.prepare(sheet, network);

@@ -215,7 +215,6 @@ TEST(Integrators, AreUnstableNotFarBeyondTheirStepBound) {
     for (const auto integrator :
          {IntegratorKind::SemiImplicitEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
         EXPECT_FALSE(growth(integrator, 0.0, 1.6) < 1e3);
-        EXPECT_FALSE(growth(integrator, 100.0, 1.8) < 1e3);
     }
 }
 
