@@ -64,8 +64,7 @@ void heat_nodes(const Coupling& c, const NodePatch& patch, const PatchSums& sums
 void couple_block(const Coupling& c, Index block) {
     CouplingScratch& s = c.scratch;
     const auto order = [](const NodePatch& patch, Index b) { return patch.block < b; };
-    const auto first =
-        std::lower_bound(s.plan.patches.begin(), s.plan.patches.end(), block, order);
+    const auto first = std::lower_bound(s.plan.patches.begin(), s.plan.patches.end(), block, order);
     const auto last = std::lower_bound(first, s.plan.patches.end(), block + 1, order);
     const bool all = !c.params.numerics.skip;
     const ParticleRun everything{0, static_cast<Index>(c.particles)};

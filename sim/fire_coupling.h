@@ -29,9 +29,9 @@ struct NodeFire {
 struct CouplingScratch {
     ParticleGrid grid;
     CouplingPlan plan;
-    std::vector<double> absorbed;       ///< Σ (area / r_k²) W in the grid's order, for each block
-    std::vector<ParticleRun> touched;   ///< by each block
-    std::vector<double> kept;           ///< share of its excess that each particle keeps
+    std::vector<double> absorbed;      ///< Σ (area / r_k²) W in the grid's order, for each block
+    std::vector<ParticleRun> touched;  ///< by each block
+    std::vector<double> kept;          ///< share of its excess that each particle keeps
 };
 
 /// A of the law above [K/s].

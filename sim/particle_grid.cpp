@@ -71,15 +71,13 @@ bool size_box(const std::vector<SheetState>& sheets, const FireState& fire, doub
 }
 
 void size_cells(double radius, std::size_t particles, ParticleGrid& grid) {
-    const double most =
-        std::max(kFewestCells, kCellsPerParticle * static_cast<double>(particles));
+    const double most = std::max(kFewestCells, kCellsPerParticle * static_cast<double>(particles));
     grid.cell = radius / kCellsPerRadius;
     for (;; grid.cell *= 1.25) {
         double cells = 1;
         std::array<double, 3> along{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            along[axis] =
-                std::floor((grid.box.high[axis] - grid.box.low[axis]) / grid.cell) + 1.0;
+            along[axis] = std::floor((grid.box.high[axis] - grid.box.low[axis]) / grid.cell) + 1.0;
             cells *= along[axis];
         }
         if (!(cells <= most)) continue;

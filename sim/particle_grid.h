@@ -17,21 +17,21 @@ struct Box {
 
 /// Scratch of the neighbour search.
 struct ParticleGrid {
-    Box box{};                            ///< that holds every particle in a cell
-    double reach = 0;                     ///< [m] kernel radius and a little more, for rounding
-    double cell = 0;                      ///< [m]
-    double per_cell = 0;                  ///< [1/m] 1 / cell
-    std::array<Index, 3> count{};         ///< cells along x, y, z
-    std::vector<Index> begin;             ///< first entry of each cell, cells + 3
-    std::vector<Index> cell_of;           ///< cell of each particle; those out of reach: the last
-    std::vector<Index> order;             ///< particle numbers, by cell, ascending within a cell
-    std::vector<double> x, y, z;          ///< [m] in that order
-    std::vector<double> vx, vy, vz;       ///< [m/s] in that order
-    std::vector<double> heating;          ///< [K/s] at the kernel's centre, in that order
-    std::vector<double> freshness;        ///< e^(-age/heating_time), in that order
-    std::vector<double> strength;         ///< [1] in that order
-    Index sorted = 0;                     ///< particles in cells
-    Index listed = 0;                     ///< particles in `order`: `sorted`, or all of them
+    Box box{};                       ///< that holds every particle in a cell
+    double reach = 0;                ///< [m] kernel radius and a little more, for rounding
+    double cell = 0;                 ///< [m]
+    double per_cell = 0;             ///< [1/m] 1 / cell
+    std::array<Index, 3> count{};    ///< cells along x, y, z
+    std::vector<Index> begin;        ///< first entry of each cell, cells + 3
+    std::vector<Index> cell_of;      ///< cell of each particle; those out of reach: the last
+    std::vector<Index> order;        ///< particle numbers, by cell, ascending within a cell
+    std::vector<double> x, y, z;     ///< [m] in that order
+    std::vector<double> vx, vy, vz;  ///< [m/s] in that order
+    std::vector<double> heating;     ///< [K/s] at the kernel's centre, in that order
+    std::vector<double> freshness;   ///< e^(-age/heating_time), in that order
+    std::vector<double> strength;    ///< [1] in that order
+    Index sorted = 0;                ///< particles in cells
+    Index listed = 0;                ///< particles in `order`: `sorted`, or all of them
 
     /// Cell number along `axis` of a coordinate, for which it never decreases.
     [[nodiscard]] Index cell_along(std::size_t axis, double value) const {

@@ -9,8 +9,8 @@ namespace ember {
 
 /// Sums over the particles near each node of a patch.
 struct PatchSums {
-    alignas(64) std::array<double, kLanes> heating;   ///< [K/s] before saturation
-    std::array<double, kLanes> weight;                ///< [1] Σ W
+    alignas(64) std::array<double, kLanes> heating;                 ///< [K/s] before saturation
+    std::array<double, kLanes> weight;                              ///< [1] Σ W
     std::array<double, kLanes> momentum_x, momentum_y, momentum_z;  ///< [m/s] Σ W v
 };
 
