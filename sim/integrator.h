@@ -32,6 +32,7 @@ struct TickWork {
 /// Scratch of one sheet's integration.
 struct IntegratorScratch {
     Motion start, present, stage;
+    std::vector<double> ahead;                       ///< [m/s] of leapfrog schemes, as Motion::v
     std::vector<std::vector<double>> accelerations;  ///< [m/s²] of stages or past steps, 3N each
     std::vector<std::vector<double>> velocities;     ///< [m/s] of past steps, 3N + padding each
     std::vector<double> error, zeros;                ///< 3N

@@ -62,68 +62,126 @@ EMBER_VECTORISED void divide_in_air(const NodeLoads& loads, const Run run,
     }
 }
 
-// The three components of an array of 3n, from a node on.
-template <class Pointer>
-std::array<Pointer, 3> components(Pointer array, std::ptrdiff_t n, std::ptrdiff_t first) {
-    return {array + first, array + n + first, array + 2 * n + first};
+// w <- w + kick a, x <- x + drift w, u <- w + lead a for one component; adds to `power` what the
+// springs' friction takes.
+EMBER_VECTORISED void kick_and_drift(std::ptrdiff_t count, const Leap& step, std::ptrdiff_t first,
+                                     const double* __restrict a, const double* __restrict friction,
+                                     double* __restrict power) {
+    double* __restrict w = step.w + first, * __restrict x = step.x + first, * __restrict u = step.u + first;
+    const double kick = step.kick, drift = step.drift, lead = step.lead, mean = step.mean;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const double before = w[i], after = before + kick * a[i];
+        w[i] = after;
+        x[i] += drift * after;
+        u[i] = after + lead * a[i];
+        power[i] -= friction[i] * (before + mean * a[i]);
+    }
 }
 
-// Accelerations of a run of nodes on which the springs in the stencil exert `f`, three rows of
-// `pitch`, which is used up. Returns the power of the drag.
-double finish(const Mechanics& m, const Run run, const double* v, double* f, std::ptrdiff_t pitch,
-              double* a, const Drift* drift) {
-    const auto n = static_cast<std::ptrdiff_t>(m.node_count());
-    const NodeLoads& loads = m.loads;
-    if (!m.forces.extra.total.empty()) {
-        for (int axis = 0; axis < 3; ++axis) {
-            add_to(run.count, m.forces.extra.total.data() + axis * n + run.first, f + axis * pitch);
+// The three components of an array whose components are `pitch` apart, from a node on.
+template <class Pointer>
+std::array<Pointer, 3> components(Pointer array, std::ptrdiff_t pitch, std::ptrdiff_t first) {
+    return {array + first, array + pitch + first, array + 2 * pitch + first};
+}
+
+// What becomes of the forces on a run of nodes: accelerations, or a step.
+class Finish {
+  public:
+    Finish(const Mechanics& mechanics, const double* v, double* a) : m_(mechanics), v_(v), a_(a) {}
+    Finish(const Mechanics& mechanics, const Leap& step)
+        : m_(mechanics), v_(step.u), step_(&step) {}
+
+    // Springs in the stencil exert `f` on the run, as SpringRow::force. Returns the power of the
+    // drag, and for a step that of the springs' friction too.
+    LostPower operator()(const Run run, double* f, int thread) const {
+        add_extra(run, f);
+        const std::ptrdiff_t pitch = m_.forces.pitch;
+        double* power = m_.forces.finishing[static_cast<std::size_t>(thread)].data();
+        if (step_ == nullptr)
+            return {0.0, divide(run, f, components(a_, node_count(), run.first), power)};
+        const auto a = components(power + pitch, pitch, 0);
+        LostPower lost;
+        lost.drag = divide(run, f, a, power);
+        std::fill_n(power, run.count, 0.0);
+        for (std::ptrdiff_t axis = 0; axis < 3; ++axis) {
+            kick_and_drift(run.count, *step_, axis * node_count() + run.first,
+                           a[static_cast<std::size_t>(axis)], f + (3 + axis) * pitch, power);
+        }
+        lost.damping = sum_in_lanes(power, run.count);
+        return lost;
+    }
+
+  private:
+    [[nodiscard]] std::ptrdiff_t node_count() const {
+        return static_cast<std::ptrdiff_t>(m_.node_count());
+    }
+
+    void add_extra(const Run run, double* f) const {
+        const ExtraSprings& extra = m_.forces.extra;
+        if (extra.total.empty()) return;
+        for (std::ptrdiff_t c = 0; c < (step_ == nullptr ? 3 : 6); ++c) {
+            add_to(run.count, extra.total.data() + c * node_count() + run.first,
+                   f + c * m_.forces.pitch);
         }
     }
-    if (loads.has_drag) {
-        double* power = f + 3 * pitch;
-        const double* w = drift != nullptr ? drift->w : v;
-        divide_in_air(loads, run, components<const double*>(f, pitch, 0),
-                      components(v, n, run.first), components(w, n, run.first),
-                      drift != nullptr ? 0.5 * drift->h : 0.0, components(a, n, run.first), power);
-        return sum_in_lanes(power, run.count);
+
+    double divide(const Run run, const double* f, const std::array<double*, 3>& a,
+                  double* power) const {
+        const std::ptrdiff_t n = node_count(), pitch = m_.forces.pitch;
+        const NodeLoads& loads = m_.loads;
+        if (loads.has_drag) {
+            const bool leaps = step_ != nullptr;
+            divide_in_air(loads, run, components(f, pitch, 0), components(v_, n, run.first),
+                          components(leaps ? step_->w : v_, n, run.first),
+                          leaps ? step_->mean : 0.0, a, power);
+            return sum_in_lanes(power, run.count);
+        }
+        const double* inverse_mass = loads.inverse_mass.data() + run.first;
+        const double* load[] = {loads.force.x.data(), loads.force.y.data(), loads.force.z.data()};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            divide_by_mass(run.count, f + static_cast<std::ptrdiff_t>(axis) * pitch,
+                           load[axis] + run.first, inverse_mass, a[axis]);
+        }
+        return 0.0;
     }
-    const double* inverse_mass = loads.inverse_mass.data() + run.first;
-    const double* load[] = {loads.force.x.data(), loads.force.y.data(), loads.force.z.data()};
-    for (int axis = 0; axis < 3; ++axis) {
-        divide_by_mass(run.count, f + axis * pitch, load[axis] + run.first, inverse_mass,
-                       a + axis * n + run.first);
-    }
-    return 0.0;
-}
+
+    const Mechanics& m_;
+    const double* v_;
+    double* a_ = nullptr;
+    const Leap* step_ = nullptr;
+};
 
 // Copies made by cuts come after the sites, and have extra springs only.
-double accelerate_copies(const Mechanics& m, const double* v, double* a, const Drift* drift) {
+void finish_copies(const Mechanics& m, const Finish& finish, LostPower& lost) {
     const auto n = static_cast<std::ptrdiff_t>(m.node_count());
     const std::ptrdiff_t columns = m.lattice.column_count, pitch = m.forces.pitch;
-    double drag = 0.0;
     for (std::ptrdiff_t first = m.lattice.site_count(); first < n; first += columns) {
         double* f = m.forces.rings[0].data();
-        std::fill_n(f, 3 * pitch, 0.0);
-        drag += finish(m, {first, std::min(columns, n - first)}, v, f, pitch, a, drift);
+        std::fill_n(f, 6 * pitch, 0.0);
+        const LostPower power = finish({first, std::min(columns, n - first)}, f, 0);
+        lost.damping += power.damping;
+        lost.drag += power.drag;
     }
-    // the ring's rows begin with zeros, which must be so again
-    std::fill_n(m.forces.rings[0].data(), 4 * pitch, 0.0);
-    return drag;
 }
 
-LostPower evaluate(const Mechanics& m, const NodeMotion& motion, double* a, const Drift* drift) {
-    const double* v = motion.v;
+LostPower evaluate(const Mechanics& m, const NodeMotion& motion, const Finish& finish, bool leaps) {
     const std::ptrdiff_t columns = m.lattice.column_count;
     LostPower lost;
-    lost.damping = m.forces.extra.evaluate(m.network, motion);
+    const double in_extra = m.forces.extra.evaluate(m.network, motion);
+    if (!leaps) lost.damping = in_extra;
     for (const RowSpan& span : m.rows) {
         const auto run = [&](int part, std::ptrdiff_t begin, std::ptrdiff_t end) {
-            RowForces rows(m.lattice, motion, m.kernel, m.forces, part);
+            RowForces rows(m.lattice, motion, leaps ? &m.old_rows : nullptr, m.kernel, m.forces,
+                           part);
             rows.start(span.begin + static_cast<Index>(begin));
             for (auto row = span.begin + begin; row < span.begin + end; ++row) {
                 rows.next(static_cast<Index>(row));
-                m.forces.row_drag[static_cast<std::size_t>(row)] =
-                    finish(m, {row * columns, columns}, v, rows.force(0), m.forces.pitch, a, drift);
+                const LostPower power = finish({row * columns, columns}, rows.force(), part);
+                if (leaps) {
+                    m.old_rows.keep(static_cast<Index>(row), motion);
+                    m.forces.row_damping[static_cast<std::size_t>(row)] = power.damping;
+                }
+                m.forces.row_drag[static_cast<std::size_t>(row)] = power.drag;
             }
         };
         m.pool.for_parts(span.end - span.begin, kKinds * columns, run);
@@ -132,21 +190,35 @@ LostPower evaluate(const Mechanics& m, const NodeMotion& motion, double* a, cons
         lost.damping += power;
     for (const double power : m.forces.row_drag)
         lost.drag += power;
-    if (!m.rows.empty() && m.node_count() > static_cast<std::size_t>(m.lattice.site_count())) {
-        lost.drag += accelerate_copies(m, v, a, drift);
-    }
+    if (!m.rows.empty() && m.node_count() > static_cast<std::size_t>(m.lattice.site_count()))
+        finish_copies(m, finish, lost);
     return lost;
 }
 
 }  // namespace
 
 LostPower accelerate(const Mechanics& m, const double* x, const double* v, double* a) {
-    return evaluate(m, {x, v, m.node_count()}, a, nullptr);
+    return evaluate(m, {x, v, m.node_count()}, Finish(m, v, a), false);
 }
 
-LostPower accelerate(const Mechanics& m, const double* x, const double* v, double* a,
-                     const Drift& drift) {
-    return evaluate(m, {x, v, m.node_count(), drift.w}, a, &drift);
+void prepare_leaps(const Mechanics& m, const double* x, const double* u) {
+    std::vector<Index>& splits = m.old_rows.splits;
+    splits.clear();
+    for (const RowSpan& span : m.rows) {
+        const Index rows = span.end - span.begin;
+        const int parts = m.pool.parts(rows, kKinds * m.lattice.column_count);
+        for (int part = 0; part < parts; ++part) {
+            const auto begin = static_cast<Index>(ThreadPool::begin_of(part, parts, rows));
+            if (span.begin + begin > 0 || m.lattice.closed) splits.push_back(span.begin + begin);
+        }
+    }
+    m.old_rows.prepare(m.lattice, {x, u, m.node_count()});
+}
+
+LostPower leap(const Mechanics& m, const Leap& step) {
+    const LostPower lost = evaluate(m, {step.x, step.u, m.node_count()}, Finish(m, step), true);
+    m.old_rows.turn();
+    return lost;
 }
 
 }  // namespace ember

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "sim/lattice.h"
+#include "sim/old_rows.h"
 #include "sim/parallel.h"
 #include "sim/spring_forces.h"
 #include "sim/spring_network.h"
@@ -40,6 +41,7 @@ struct Mechanics {
     const SpringNetwork& network;
     const NodeLoads& loads;
     SpringForces& forces;  ///< scratch; SpringForces::prepare() has been called for this tick
+    OldRows& old_rows;     ///< scratch of leap()
     ThreadPool& pool;
     SpringKernel kernel;
     std::span<const RowSpan> rows;  ///< that are moved, ascending; nodes of others have a = 0 and
@@ -54,16 +56,23 @@ struct Mechanics {
 /// of threads.
 LostPower accelerate(const Mechanics& mechanics, const double* x, const double* v, double* a);
 
-/// The drift x' = x + h w of a leapfrog step.
-struct Drift {
-    const double* w;  ///< [m/s], 3N + kMotionPadding: velocity that led to x
-    double h;         ///< [s] step; the next drift will be w + h a
+/// One step of a leapfrog scheme, in which velocities w that carry nodes from place to place
+/// (drifts) alternate with accelerations (kicks):
+///
+///     w <- w + kick·a(x, u),   x <- x + drift·w,   u <- w + lead·a
+///
+/// All arrays are 3N + kMotionPadding long, as those of accelerate().
+struct Leap {
+    double *x, *w, *u;                     ///< [m], [m/s] drift that led to x, [m/s] guess at v
+    double kick = 0, drift = 0, lead = 0;  ///< [s]
+    double mean = 0;                       ///< [s] w + mean·a is half-way to the next drift
 };
 
-/// The same accelerations. The losses are the work that damping and drag do in the discrete
-/// motion: of the damping, on the drift since the last call; of the drag, on the halves of the
-/// drifts before and after. The damping of a tick's first call means nothing.
-LostPower accelerate(const Mechanics& mechanics, const double* x, const double* v, double* a,
-                     const Drift& drift);
+/// Call before the first of some leaps, and whenever x or u have been changed between leaps.
+void prepare_leaps(const Mechanics& mechanics, const double* x, const double* u);
+
+/// Makes one step in one pass over the arrays. The power is that of friction at w + mean·a, which
+/// is exactly what the discrete motion loses.
+LostPower leap(const Mechanics& mechanics, const Leap& step);
 
 }  // namespace ember

@@ -37,12 +37,13 @@ void ThreadPool::for_rows(std::ptrdiff_t rows, std::ptrdiff_t items_per_row,
               [&](int, std::ptrdiff_t begin, std::ptrdiff_t end) { body(begin, end); });
 }
 
+int ThreadPool::parts(std::ptrdiff_t rows, std::ptrdiff_t items_per_row) const {
+    return rows * items_per_row < kItemsWorthSharing ? 1 : size();
+}
+
 void ThreadPool::for_parts(std::ptrdiff_t rows, std::ptrdiff_t items_per_row,
                            const std::function<void(int, std::ptrdiff_t, std::ptrdiff_t)>& body) {
-    if (workers_.empty() || rows * items_per_row < kItemsWorthSharing) {
-        body(0, 0, rows);
-        return;
-    }
+    if (parts(rows, items_per_row) == 1) return body(0, 0, rows);
     body_ = &body;
     rows_ = rows;
     running_ = static_cast<int>(workers_.size());
@@ -59,7 +60,7 @@ void ThreadPool::for_parts(std::ptrdiff_t rows, std::ptrdiff_t items_per_row,
 }
 
 void ThreadPool::run_part(int part) {
-    (*body_)(part, rows_ * part / size(), rows_ * (part + 1) / size());
+    (*body_)(part, begin_of(part, size(), rows_), begin_of(part + 1, size(), rows_));
 }
 
 void ThreadPool::work(int part) {

@@ -30,6 +30,12 @@ class ThreadPool {
     void for_parts(std::ptrdiff_t rows, std::ptrdiff_t items_per_row,
                    const std::function<void(int, std::ptrdiff_t, std::ptrdiff_t)>& body);
 
+    /// Into how many parts for_parts() splits such a loop, and where each begins.
+    [[nodiscard]] int parts(std::ptrdiff_t rows, std::ptrdiff_t items_per_row) const;
+    [[nodiscard]] static std::ptrdiff_t begin_of(int part, int parts, std::ptrdiff_t rows) {
+        return rows * part / parts;
+    }
+
   private:
     void work(int part);
     void run_part(int part);

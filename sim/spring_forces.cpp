@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/old_rows.h"
 #include "sim/vectorise.h"
 
 namespace ember {
@@ -12,32 +13,25 @@ namespace {
 EMBER_VECTORISED void evaluate_listed(std::ptrdiff_t count, const NodeMotion m,
                                       const Index* __restrict a, const Index* __restrict b,
                                       const double* __restrict k, const double* __restrict tension,
-                                      const double* __restrict d, double* __restrict fx,
-                                      double* __restrict fy, double* __restrict fz,
-                                      double* __restrict loss, double* __restrict friction) {
+                                      const double* __restrict d,
+                                      const std::array<double*, 6>& pull, double* __restrict loss) {
     const auto n = static_cast<std::ptrdiff_t>(m.node_count);
     const double *x = m.x, *y = m.x + n, *z = m.x + 2 * n;
     const double *vx = m.v, *vy = m.v + n, *vz = m.v + 2 * n;
-    const double *w = m.drift, *wx = w, *wy = w + n, *wz = w + 2 * n;
+    double *fx = pull[0], *fy = pull[1], *fz = pull[2], *gx = pull[3], *gy = pull[4], *gz = pull[5];
+    // nothing overlaps, but there are too many arrays for the compiler to check
+#pragma GCC ivdep
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const std::ptrdiff_t p = a[i], q = b[i];
         const double dx = x[q] - x[p], dy = y[q] - y[p], dz = z[q] - z[p];
         const double inverse = 1.0 / std::sqrt(dx * dx + dy * dy + dz * dz + 1e-30);
         const double rate =
             ((vx[q] - vx[p]) * dx + (vy[q] - vy[p]) * dy + (vz[q] - vz[p]) * dz) * inverse;
-        const double slowing = d[i] * rate;
-        const double scale = k[i] + inverse * (slowing - tension[i]);
-        fx[i] = scale * dx;
-        fy[i] = scale * dy;
-        fz[i] = scale * dz;
-        if (w == nullptr) {
-            loss[i] = slowing * rate;
-            continue;
-        }
-        const double drift =
-            ((wx[q] - wx[p]) * dx + (wy[q] - wy[p]) * dy + (wz[q] - wz[p]) * dz) * inverse;
-        loss[i] = 0.5 * (slowing + friction[i]) * drift;
-        friction[i] = slowing;
+        const double friction = d[i] * rate, share = inverse * friction;
+        const double scale = k[i] + inverse * (friction - tension[i]);
+        fx[i] = scale * dx, fy[i] = scale * dy, fz[i] = scale * dz;
+        gx[i] = share * dx, gy[i] = share * dy, gz[i] = share * dz;
+        loss[i] = friction * rate;
     }
 }
 
@@ -66,8 +60,6 @@ EMBER_VECTORISED void pack_row(std::ptrdiff_t columns, const double* __restrict 
     }
 }
 
-constexpr std::ptrdiff_t kForceRows = kKinds * 3;  // rows of `pitch` that one lattice row has
-
 }  // namespace
 
 double sum_in_lanes(const double* values, std::ptrdiff_t count) {
@@ -84,12 +76,13 @@ double sum_in_lanes(const double* values, std::ptrdiff_t count) {
 
 void ExtraSprings::prepare(const SheetState& sheet, const SpringNetwork& network) {
     const std::size_t count = network.extra.size();
-    for (auto* array : {&stiffness, &tension, &damping, &x, &y, &z, &loss})
+    for (auto* array : {&stiffness, &tension, &damping, &loss})
         array->resize(count);
+    for (auto& component : pull)
+        component.resize(count);
     a.resize(count);
     b.resize(count);
-    friction.assign(count, 0.0);
-    total.assign(count > 0 ? 3 * sheet.mass.size() : 0, 0.0);
+    total.assign(count > 0 ? 6 * sheet.mass.size() : 0, 0.0);
     for (std::size_t i = 0; i < count; ++i) {
         const ExtraSpring& spring = network.extra[i];
         a[i] = spring.a;
@@ -103,22 +96,22 @@ void ExtraSprings::prepare(const SheetState& sheet, const SpringNetwork& network
 double ExtraSprings::evaluate(const SpringNetwork& network, const NodeMotion& motion) {
     const auto count = static_cast<std::ptrdiff_t>(a.size());
     if (count == 0) return 0.0;
+    std::array<double*, 6> pulls{};
+    for (std::size_t c = 0; c < pulls.size(); ++c)
+        pulls[c] = pull[c].data();
     evaluate_listed(count, motion, a.data(), b.data(), stiffness.data(), tension.data(),
-                    damping.data(), x.data(), y.data(), z.data(), loss.data(), friction.data());
+                    damping.data(), pulls, loss.data());
     const std::size_t n = motion.node_count;
     for (std::size_t t = 0; t < network.end_nodes.size(); ++t) {
-        double fx = 0.0, fy = 0.0, fz = 0.0;
+        std::array<double, 6> sum{};
         for (Index e = network.end_begin[t]; e < network.end_begin[t + 1]; ++e) {
             const ExtraEnd& end = network.ends[static_cast<std::size_t>(e)];
-            const auto i = static_cast<std::size_t>(end.spring);
-            fx += end.sign * x[i];
-            fy += end.sign * y[i];
-            fz += end.sign * z[i];
+            for (std::size_t c = 0; c < sum.size(); ++c)
+                sum[c] += end.sign * pulls[c][end.spring];
         }
         const auto node = static_cast<std::size_t>(network.end_nodes[t]);
-        total[node] = fx;
-        total[n + node] = fy;
-        total[2 * n + node] = fz;
+        for (std::size_t c = 0; c < sum.size(); ++c)
+            total[c * n + node] = sum[c];
     }
     return sum_in_lanes(loss.data(), count);
 }
@@ -127,7 +120,7 @@ void SpringForces::prepare(const Lattice& lattice, const SheetState& sheet,
                            const SpringNetwork& network, int threads) {
     const std::ptrdiff_t padded = padded_columns(lattice.column_count);
     const std::ptrdiff_t row_size = padded * kKinds * kConstants;
-    pitch = padded + kBlockColumns;
+    pitch = padded;
     const auto rows = static_cast<std::size_t>(lattice.row_count);
     constants.resize(rows * static_cast<std::size_t>(row_size));
     for (Index row = 0; row < lattice.row_count; ++row) {
@@ -139,74 +132,73 @@ void SpringForces::prepare(const Lattice& lattice, const SheetState& sheet,
                      constants.data() + row * row_size + kind * kConstants * kBlockColumns);
         }
     }
-    const auto force_rows = static_cast<std::size_t>(kForceRows * pitch);
-    no_forces.assign_zero(force_rows + kBlockColumns);
     rings.resize(static_cast<std::size_t>(threads));
     for (AlignedArray& ring : rings)
-        ring.assign_zero(3 * force_rows + static_cast<std::size_t>(5 * pitch));
-    friction.assign_zero(rows * static_cast<std::size_t>(padded * kKinds));
+        ring.assign_zero(static_cast<std::size_t>(24 * pitch));
+    finishing.resize(static_cast<std::size_t>(threads));
+    for (AlignedArray& scratch : finishing)
+        scratch.resize(static_cast<std::size_t>(4 * pitch));
     row_damping.assign(rows, 0.0);
     row_drag.assign(rows, 0.0);
     extra.prepare(sheet, network);
 }
 
-RowForces::RowForces(const Lattice& lattice, const NodeMotion& motion, const SpringKernel& kernel,
-                     SpringForces& forces, int thread)
+RowForces::RowForces(const Lattice& lattice, const NodeMotion& motion, const OldRows* old,
+                     const SpringKernel& kernel, SpringForces& forces, int thread)
     : lattice_(lattice),
       motion_(motion),
+      old_(old),
       kernel_(kernel),
       forces_(forces),
-      ring_(forces.rings[static_cast<std::size_t>(thread)].data() + kBlockColumns),
-      total_(ring_ + 3 * kForceRows * forces.pitch),
-      loss_(total_ + 3 * forces.pitch) {}
+      ring_(forces.rings[static_cast<std::size_t>(thread)].data()),
+      force_(ring_ + 18 * forces.pitch) {}
 
 double* RowForces::kept(Index row) {
-    return ring_ + (row + 3) % 3 * kForceRows * forces_.pitch;
+    return ring_ + (row + 3) % 3 * 6 * forces_.pitch;
 }
 
 // Springs anchored at `row`, which on a closed sheet may be given as a row before the first.
-void RowForces::evaluate(Index row, bool drift) {
+void RowForces::evaluate(Index row) {
     const Index r = (row + lattice_.row_count) % lattice_.row_count;
+    const OldRows::View old = old_ != nullptr ? old_->find(r) : OldRows::View{};
+    const bool copied = old.motion.node_count > 0;
+    const NodeMotion& from = copied ? old.motion : motion_;
     const auto column_0 = [&](Index offset) {
         const Index other = lattice_.row_at(r, offset);
         // springs to rows that do not exist have constants 0; any node will do as their end
-        return static_cast<std::ptrdiff_t>(lattice_.site(other == kNone ? r : other, 0));
+        const Index shown = copied ? old.row + offset : other;
+        return static_cast<std::ptrdiff_t>(other == kNone ? (copied ? old.row : r) : shown) *
+               lattice_.column_count;
     };
     const std::ptrdiff_t begin[] = {column_0(0), column_0(1), column_0(2)};
     const std::ptrdiff_t row_size = padded_columns(lattice_.column_count) * kKinds * kConstants;
-    const SpringRow springs{{motion_.x + begin[0], motion_.x + begin[1], motion_.x + begin[2]},
-                            {motion_.v + begin[0], motion_.v + begin[1], motion_.v + begin[2]},
-                            static_cast<std::ptrdiff_t>(motion_.node_count),
+    const SpringRow springs{{from.x + begin[0], from.x + begin[1], from.x + begin[2]},
+                            {from.v + begin[0], from.v + begin[1], from.v + begin[2]},
+                            static_cast<std::ptrdiff_t>(from.node_count),
                             forces_.constants.data() + r * row_size,
                             lattice_.column_count,
-                            kept(row),
+                            {kept(row), kept(row + 1), kept(row + 2)},
+                            force_,
                             forces_.pitch,
-                            loss_};
-    if (!drift) return kernel_.evaluate(springs);
-    SpringRow drifting = springs;
-    for (std::size_t i = 0; i < 3; ++i)
-        drifting.drift[i] = motion_.drift + begin[i];
-    drifting.friction =
-        forces_.friction.data() + r * padded_columns(lattice_.column_count) * kKinds;
-    kernel_.evaluate_drift(drifting);
+                            loss_.data()};
+    if (old_ != nullptr) {
+        kernel_.evaluate_split(springs);
+    } else {
+        kernel_.evaluate(springs);
+    }
 }
 
 void RowForces::start(Index row) {
+    // what does not come from above must not come from an earlier span either
+    std::fill_n(ring_, 18 * forces_.pitch, 0.0);
     for (const Index above : {row - 2, row - 1}) {
-        // only their forces are wanted: their losses are those of another part
-        if (above >= 0 || lattice_.closed) evaluate(above, false);
+        if (above >= 0 || lattice_.closed) evaluate(above);
     }
 }
 
 void RowForces::next(Index row) {
-    evaluate(row, motion_.drift != nullptr);
-    forces_.row_damping[static_cast<std::size_t>(row)] = sum_in_lanes(loss_, lattice_.column_count);
-    const auto rows_above = [&](Index above) -> const double* {
-        const bool exists = above >= 0 || lattice_.closed;
-        return exists ? kept(above) : forces_.no_forces.data() + kBlockColumns;
-    };
-    kernel_.gather({kept(row), rows_above(row - 1), rows_above(row - 2), forces_.pitch,
-                    lattice_.column_count, total_});
+    evaluate(row);
+    forces_.row_damping[static_cast<std::size_t>(row)] = sum_in_lanes(loss_.data(), kBlockColumns);
 }
 
 }  // namespace ember

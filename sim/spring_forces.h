@@ -3,11 +3,12 @@
 //     F_a = [ k (L - l) + d (v_b - v_a)·n ] n,   F_b = -F_a,   n = (x_b - x_a)/L
 //
 // Whole springs are evaluated as a stencil without any index list, a row of the lattice at a time
-// (kernel/spring_kernel.h); the forces of the last three rows are kept, and each node gathers its
-// twelve springs from them in a fixed order. Springs at cuts go through lists (ExtraSprings).
+// (kernel/spring_kernel.h), adding to the forces on the row's nodes and on those of the two rows
+// below, always in the same order. Springs at cuts go through lists (ExtraSprings).
 // Hence the result does not depend on the number of threads.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -19,24 +20,24 @@
 
 namespace ember {
 
+class OldRows;
+
 /// Positions and velocities of N nodes: all x components, then all y, all z; kMotionPadding more
 /// elements can be read after each.
 struct NodeMotion {
     const double* x;         ///< [m], 3N
     const double* v;         ///< [m/s], 3N
     std::size_t node_count;  ///< N
-    /// [m/s], 3N, velocity of the drift since the last evaluation, or null. When given, losses are
-    /// those of the drift, see SpringKernel::evaluate_drift.
-    const double* drift = nullptr;
 };
 
 /// Springs that do not connect two first copies, as arrays over the list SpringNetwork::extra.
 struct ExtraSprings {
     std::vector<Index> a, b;                          ///< nodes, X
     std::vector<double> stiffness, tension, damping;  ///< k [N/m], k·l [N], d [kg/s], X
-    std::vector<double> x, y, z, loss;                ///< force on end a [N], power lost [W], X
-    std::vector<double> friction;                     ///< [N] of the last evaluation, X
-    std::vector<double> total;                        ///< [N] on nodes: x, y, z; 3N, 0 elsewhere
+    std::array<std::vector<double>, 6> pull;          ///< [N] on end a, and its friction, X each
+    std::vector<double> loss;                         ///< [W], X
+    std::vector<double> total;                        ///< [N] on nodes, and friction, as SpringRow;
+                                                      ///< 6N, 0 at nodes without such springs
 
     /// Sets the constants and sizes everything for N nodes.
     void prepare(const SheetState& sheet, const SpringNetwork& network);
@@ -46,10 +47,9 @@ struct ExtraSprings {
 
 /// Scratch of the force evaluation; prepare() once per tick.
 struct SpringForces {
-    AlignedArray constants;           ///< packed as SpringRow::constants, row after row
-    std::vector<AlignedArray> rings;  ///< one per thread: forces of three rows, and more
-    AlignedArray no_forces;           ///< forces of a row that does not exist
-    AlignedArray friction;            ///< [N] of the last evaluation, as SpringRow::friction
+    AlignedArray constants;               ///< packed as SpringRow::constants, row after row
+    std::vector<AlignedArray> rings;      ///< one per thread: reactions on 3 rows, forces on one
+    std::vector<AlignedArray> finishing;  ///< one per thread: 4 rows of `pitch`
 
     std::vector<double> row_damping, row_drag;  ///< [W] lost in each row
     ExtraSprings extra;
@@ -63,25 +63,28 @@ struct SpringForces {
 /// Sums of spring forces along a span of rows, one row at a time from the first to the last.
 class RowForces {
   public:
-    RowForces(const Lattice& lattice, const NodeMotion& motion, const SpringKernel& kernel,
-              SpringForces& forces, int thread);
+    /// With `old`, rows may be moved as soon as they are done, and forces are split.
+    RowForces(const Lattice& lattice, const NodeMotion& motion, const OldRows* old,
+              const SpringKernel& kernel, SpringForces& forces, int thread);
     /// Evaluates the rows above `row` whose springs end in it. Call before next(row).
     void start(Index row);
-    /// Evaluates the springs anchored at `row` and gathers the forces on its nodes; rows must
+    /// Evaluates the springs anchored at `row`, which completes the forces on its nodes; rows must
     /// follow each other. The damping of the row's springs goes to SpringForces::row_damping.
     void next(Index row);
-    /// Forces on the nodes of the last row [N]; axis 0, 1, 2; one element per column.
-    [[nodiscard]] double* force(int axis) { return total_ + axis * forces_.pitch; }
+    /// Forces on the nodes of the last row, as SpringRow::force [N]. May be changed.
+    [[nodiscard]] double* force() { return force_; }
 
   private:
-    void evaluate(Index row, bool drift);
+    void evaluate(Index row);
     [[nodiscard]] double* kept(Index row);
 
     const Lattice& lattice_;
     const NodeMotion& motion_;
+    const OldRows* old_;
     const SpringKernel& kernel_;
     SpringForces& forces_;
-    double *ring_, *total_, *loss_;
+    double *ring_, *force_;
+    std::array<double, kBlockColumns> loss_{};
 };
 
 /// Σ of `count` numbers in a fixed order that vectorises: eight sums of every eighth, then theirs.

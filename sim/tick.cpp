@@ -100,9 +100,10 @@ bool run_springs(const Tick& t, StepReport& report) {
             return false;
         }
         w.forces.prepare(w.lattice, sheet, w.network, t.pool.size());
-        const TickWork work = integrate({w.lattice, sheet, w.network, w.loads, w.forces, t.pool,
-                                         spring_kernel(t.params.numerics.arithmetic), w.awake},
-                                        sheet, control, w.integration, report.counters);
+        const TickWork work =
+            integrate({w.lattice, sheet, w.network, w.loads, w.forces, w.old_rows, t.pool,
+                       spring_kernel(t.params.numerics.arithmetic), w.awake},
+                      sheet, control, w.integration, report.counters);
         if (work.failure != nullptr) {
             report.reason = work.failure;
             return false;

@@ -23,6 +23,7 @@ struct SheetWorkspace {
     NodeLoads loads;
     std::vector<RowSpan> awake;  ///< rows that are moved in this tick
     SpringForces forces;
+    OldRows old_rows;
     StabilityScratch stability;
     IntegratorScratch integration;
     HeatScratch heat;

@@ -1,6 +1,7 @@
 // Semi-implicit Euler and velocity Verlet: one right-hand side per step, and without damping no
 // drift of the energy.
 #include <algorithm>
+#include <array>
 
 #include "sim/integrators/schemes.h"
 #include "sim/vectorise.h"
@@ -10,56 +11,86 @@ namespace {
 
 // With w_n the drift from x_n to x_n+1, both methods conserve ½ Σ m w_n-1·w_n + U of linear forces
 // but for what the friction takes, which is exactly Σ_n h/2 w_n·(f_n + f_n+1).
-void lose(const LostPower& power, double damping, double drag, TickWork& work) {
-    work.damping += damping * power.damping;
-    work.drag += drag * power.drag;
+void lose(const LostPower& power, double duration, TickWork& work) {
+    work.damping += duration * power.damping;
+    work.drag += duration * power.drag;
 }
 
-// w += kick a, x += h w, ahead = w + h/2 a, in one pass over the arrays.
-EMBER_VECTORISED void kick_and_drift(std::ptrdiff_t begin, std::ptrdiff_t end, double kick,
-                                     double h, const double* __restrict a, double* __restrict w,
-                                     double* __restrict x, double* __restrict ahead) {
-    for (std::ptrdiff_t i = begin; i < end; ++i) {
-        const double next = w[i] + kick * a[i];
-        w[i] = next;
-        x[i] += h * next;
-        ahead[i] = next + 0.5 * h * a[i];
+// Σ m p·(q - p) and Σ m (q - p)·(q - p) over the nodes that move [J].
+struct Change {
+    double along = 0, square = 0;
+};
+
+EMBER_VECTORISED void change_terms(std::ptrdiff_t count, const double* __restrict inverse_mass,
+                                   const double* __restrict p, const double* __restrict q,
+                                   double* __restrict along, double* __restrict square) {
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const double m = inverse_mass[i] > 0.0 ? 1.0 / inverse_mass[i] : 0.0, d = q[i] - p[i];
+        along[i] = m * p[i] * d;
+        square[i] = m * d * d;
     }
 }
 
-// Σ m p·q over the nodes that move.
-double sum_with_mass(const NodeLoads& loads, const std::vector<double>& p,
-                     const std::vector<double>& q) {
-    const std::size_t n = loads.inverse_mass.size();
-    double sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double inverse = loads.inverse_mass[i];
-        const double dot = p[i] * q[i] + p[n + i] * q[n + i] + p[2 * n + i] * q[2 * n + i];
-        sum += inverse > 0 ? dot / inverse : 0.0;
+Change change_of(const NodeLoads& loads, const std::vector<double>& p,
+                 const std::vector<double>& q) {
+    constexpr std::ptrdiff_t kBlock = 64;
+    std::array<double, kBlock> along{}, square{};
+    const auto n = static_cast<std::ptrdiff_t>(loads.inverse_mass.size());
+    Change sum;
+    for (std::ptrdiff_t axis = 0; axis < 3; ++axis) {
+        for (std::ptrdiff_t first = 0; first < n; first += kBlock) {
+            const std::ptrdiff_t count = std::min(kBlock, n - first), at = axis * n + first;
+            change_terms(count, loads.inverse_mass.data() + first, p.data() + at, q.data() + at,
+                         along.data(), square.data());
+            sum.along += sum_in_lanes(along.data(), count);
+            sum.square += sum_in_lanes(square.data(), count);
+        }
     }
     return sum;
 }
+
+// Leaps of the present motion, with a guess `ahead` at the velocity that friction is taken at.
+class Leapfrog {
+  public:
+    Leapfrog(const Mechanics& mechanics, IntegratorScratch& scratch) : m_(mechanics), s_(scratch) {
+        s_.ahead = s_.present.v;
+        prepare_leaps(m_, s_.present.x.data(), s_.ahead.data());
+    }
+
+    LostPower operator()(double kick, double drift, double lead, double mean) {
+        return leap(m_, {s_.present.x.data(), s_.present.v.data(), s_.ahead.data(), kick, drift,
+                         lead, mean});
+    }
+
+    /// The same, and what it changes in the velocities.
+    LostPower operator()(double kick, double drift, double lead, double mean, Change& change) {
+        s_.start.v = s_.present.v;
+        const LostPower lost = (*this)(kick, drift, lead, mean);
+        change = change_of(m_.loads, s_.start.v, s_.present.v);
+        return lost;
+    }
+
+  private:
+    const Mechanics& m_;
+    IntegratorScratch& s_;
+};
 
 }  // namespace
 
 void semi_implicit_euler(const Mechanics& m, const StepControl& control, IntegratorScratch& s,
                          TickWork& work, StepCounters& counters) {
-    const std::size_t count = 3 * m.node_count();
     const double h = control.dt / static_cast<double>(control.substeps);
-    std::vector<double>& a = s.accelerations[0];
-    Motion& y = s.present;
-    const double* w = y.v.data();
-    for (std::int64_t step = 0; step < control.substeps; ++step) {
-        const bool first = step == 0;  // there is no drift behind it, and a whole one ahead
-        const Drift drift{w, first ? 2.0 * h : h};
-        lose(accelerate(m, y.x.data(), w, a.data(), drift), first ? 0.0 : h, first ? 0.5 * h : h,
-             work);
-        if (first) work.scheme += 0.5 * h * sum_with_mass(m.loads, y.v, a);
-        combine(y.v.data(), w, {{h, a.data()}}, count, m.pool);
-        combine(y.x.data(), y.x.data(), {{h, w}}, count, m.pool);
-    }
-    lose(accelerate(m, y.x.data(), w, a.data(), {w, 0.0}), h, 0.5 * h, work);
-    work.scheme -= 0.5 * h * sum_with_mass(m.loads, y.v, a);
+    Leapfrog leap(m, s);
+    Change change;
+    // there is no drift behind the first, and a whole one ahead
+    lose(leap(h, h, 0.0, h, change), 0.5 * h, work);
+    work.scheme += 0.5 * change.along;
+    for (std::int64_t step = 1; step < control.substeps; ++step)
+        lose(leap(h, h, 0.0, 0.5 * h), h, work);
+    // what the last drift lost, and what the scheme holds, show in one kick more, which is undone
+    lose(leap(h, 0.0, 0.0, 0.0, change), 0.5 * h, work);
+    work.scheme -= 0.5 * change.along;
+    s.present.v = s.start.v;
     counters.right_hand_sides += control.substeps + 1;
     work.substeps = control.substeps;
 }
@@ -68,27 +99,15 @@ void semi_implicit_euler(const Mechanics& m, const StepControl& control, Integra
 // an extrapolated velocity, an error of order h² like the others.
 void velocity_verlet(const Mechanics& m, const StepControl& control, IntegratorScratch& s,
                      TickWork& work, StepCounters& counters) {
-    const std::size_t count = 3 * m.node_count();
     const double h = control.dt / static_cast<double>(control.substeps);
-    std::vector<double>& a = s.accelerations[0];
-    Motion& y = s.present;                   // x, and v½
-    std::vector<double>& ahead = s.stage.v;  // v½ + h/2 a
-    const double* w = y.v.data();
-    lose(accelerate(m, y.x.data(), w, a.data(), {w, h}), 0.0, 0.5 * h, work);
-    work.scheme -= 0.125 * h * h * sum_with_mass(m.loads, a, a);
-    for (std::int64_t step = 0; step < control.substeps; ++step) {
-        const double kick = step == 0 ? 0.5 * h : h;  // the end of the last step and this one's
-        const bool last = step + 1 == control.substeps;
-        const auto lines = static_cast<std::ptrdiff_t>((count + 7) / 8);
-        m.pool.for_rows(lines, 2, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-            kick_and_drift(8 * begin, std::min(8 * end, static_cast<std::ptrdiff_t>(count)), kick,
-                           h, a.data(), y.v.data(), y.x.data(), ahead.data());
-        });
-        lose(accelerate(m, y.x.data(), ahead.data(), a.data(), {w, last ? 0.0 : h}), h,
-             last ? 0.5 * h : h, work);
-    }
-    combine(y.v.data(), y.v.data(), {{0.5 * h, a.data()}}, count, m.pool);
-    work.scheme += 0.125 * h * h * sum_with_mass(m.loads, a, a);
+    Leapfrog leap(m, s);
+    Change change;
+    lose(leap(0.5 * h, h, 0.5 * h, 0.5 * h, change), 0.5 * h, work);
+    work.scheme -= 0.5 * change.square;
+    for (std::int64_t step = 1; step < control.substeps; ++step)
+        lose(leap(h, h, 0.5 * h, 0.5 * h), h, work);  // the end of one step and the next
+    lose(leap(0.5 * h, 0.0, 0.0, 0.0, change), 0.5 * h, work);
+    work.scheme += 0.5 * change.square;
     counters.right_hand_sides += control.substeps + 1;
     work.substeps = control.substeps;
 }

@@ -23,7 +23,9 @@ inline constexpr std::size_t kMotionPadding = 16;
     return (columns + kBlockColumns - 1) / kBlockColumns * kBlockColumns;
 }
 
-/// One row of springs: those anchored at the row's sites.
+/// One row of springs: those anchored at the row's sites. Once the rows have been evaluated in
+/// their order, those of the rows above included, every spring of the row's nodes has been.
+/// Forces are rows of `pitch` elements, x, y and z; for evaluate_split then x, y and z of friction.
 struct SpringRow {
     const double* x[3];         ///< [m] column 0 of the row, and of the rows one and two below
     const double* v[3];         ///< [m/s]
@@ -31,29 +33,19 @@ struct SpringRow {
     /// [block][kind][k, k·l, d][lane]; all 0 for springs that do not exist.
     const double* constants;
     std::ptrdiff_t columns;
-    double* force;  ///< [N] on end a: [kind][component] rows of `pitch`
-    std::ptrdiff_t
-        pitch;     ///< padded_columns + kBlockColumns; the kBlockColumns before each row are 0
-    double* loss;  ///< [W] lost in damping by the springs of each column
-    // for evaluate_drift only
-    const double* drift[3] = {};  ///< [m/s] velocity of the last drift, as v
-    double* friction = nullptr;   ///< [N] of the last evaluation, and then of this one:
-                                  ///< [block][kind][lane]
-};
-
-/// Forces of the springs of three rows, as SpringRow::force: a node's own row and those above.
-struct ForceRows {
-    const double *own, *above, *two_above;
-    std::ptrdiff_t pitch, columns;
-    double* total;  ///< [N] on the nodes of the own row: 3 rows of `pitch`
+    /// [N] Sums of the pulls, on their upper ends, of springs that end in the row and in the two
+    /// below. The first is read, the second is added to, the third is set.
+    double* reaction[3];
+    double* force;         ///< [N] out: of all springs on the nodes of the row
+    std::ptrdiff_t pitch;  ///< padded_columns
+    double* loss;  ///< [W] out: lost in damping, kBlockColumns sums over every eighth column
 };
 
 struct SpringKernel {
     void (*evaluate)(const SpringRow& row);
-    /// The same forces. The loss is the work that the friction, averaged over this evaluation and
-    /// the one before, did on the drift between them: the exact loss of a leapfrog step.
-    void (*evaluate_drift)(const SpringRow& row);
-    void (*gather)(const ForceRows& rows);
+    /// The same forces, and what part of them is friction. Leaves the loss to those who know the
+    /// motion better (mechanics.h).
+    void (*evaluate_split)(const SpringRow& row);
 };
 
 /// The widest kernel that this processor runs. All exact ones compute the same bits.

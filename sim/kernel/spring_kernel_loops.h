@@ -5,7 +5,7 @@
 // EMBER_FAST: fused multiply-add (by the compiler's flags) and an estimated reciprocal root.
 
 #include "sim/kernel/spring_kernel.h"
-#if EMBER_FAST
+#if EMBER_LANES == 8
 #include <immintrin.h>
 #endif
 
@@ -15,6 +15,23 @@ namespace {
 constexpr std::ptrdiff_t kWidth = EMBER_LANES;
 using Doubles [[gnu::vector_size(8 * EMBER_LANES)]] = double;
 using Floats [[gnu::vector_size(4 * EMBER_LANES)]] = float;
+
+// Between precisions, rounding to nearest. The compiler's own conversion works on half vectors.
+inline Floats narrowed(const Doubles& v) {
+#if EMBER_LANES == 8
+    return reinterpret_cast<Floats>(_mm512_maskz_cvtpd_ps(0xFF, reinterpret_cast<__m512d>(v)));
+#else
+    return __builtin_convertvector(v, Floats);
+#endif
+}
+
+inline Doubles widened(const Floats& v) {
+#if EMBER_LANES == 8
+    return reinterpret_cast<Doubles>(_mm512_maskz_cvtps_pd(0xFF, reinterpret_cast<__m256>(v)));
+#else
+    return __builtin_convertvector(v, Doubles);
+#endif
+}
 
 inline Doubles load(const double* from) {
     Doubles v;
@@ -39,10 +56,10 @@ inline Doubles inverse_root(const Doubles& square) {
     const Doubles e = 1.0 - (s * y) * y;
     return y + (y * e) * (0.5 + e * (0.375 + e * 0.3125));
 #else
-    Floats root = __builtin_convertvector(s, Floats);
+    Floats root = narrowed(s);
     for (int lane = 0; lane < EMBER_LANES; ++lane)
         root[lane] = __builtin_sqrtf(root[lane]);
-    const Doubles y = __builtin_convertvector(1.0f / root, Doubles);
+    const Doubles y = widened(1.0f / root);
     const Doubles e = 1.0 - (s * y) * y;
     return y + (y * e) * (0.5 + e * 0.375);
 #endif
@@ -51,68 +68,29 @@ inline Doubles inverse_root(const Doubles& square) {
 // Positions and velocities of as many nodes as there are lanes.
 struct Ends {
     Doubles x, y, z, u, v, w;
-    Doubles p{}, q{}, r{};  // velocity of the last drift
 };
 
-template <bool kDrift>
 inline Ends ends_at(const SpringRow& row, int below, std::ptrdiff_t column) {
     const double* x = row.x[below] + column;
     const double* v = row.v[below] + column;
     const std::ptrdiff_t n = row.node_count;
-    Ends ends{load(x), load(x + n), load(x + 2 * n), load(v), load(v + n), load(v + 2 * n)};
-    if constexpr (kDrift) {
-        const double* drift = row.drift[below] + column;
-        ends.p = load(drift), ends.q = load(drift + n), ends.r = load(drift + 2 * n);
-    }
-    return ends;
+    return {load(x), load(x + n), load(x + 2 * n), load(v), load(v + n), load(v + 2 * n)};
 }
 
-// Springs from a to b, F = [k (1 - l/L) + d (Δv·Δx)/L²] Δx. Returns the power lost d (Δv·n)².
-template <bool kDrift>
-inline Doubles spring(const double* constants, double* force, std::ptrdiff_t pitch, const Ends& a,
-                      const Ends& b, double* kept) {
-    const Doubles dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
-    const Doubles inverse = inverse_root(dx * dx + dy * dy + dz * dz);
-    const Doubles rate = ((b.u - a.u) * dx + (b.v - a.v) * dy + (b.w - a.w) * dz) * inverse;
-    const Doubles friction = load(constants + 2 * kBlockColumns) * rate;
-    const Doubles scale = load(constants) + inverse * (friction - load(constants + kBlockColumns));
-    store(force, scale * dx);
-    store(force + pitch, scale * dy);
-    store(force + 2 * pitch, scale * dz);
-    if constexpr (!kDrift) return friction * rate;
-    const Doubles mean = 0.5 * (friction + load(kept));
-    store(kept, friction);
-    return mean * (((b.p - a.p) * dx + (b.q - a.q) * dy + (b.r - a.r) * dz) * inverse);
-}
+struct Force {
+    Doubles x{}, y{}, z{};
 
-template <bool kDrift>
-void evaluate(const SpringRow& given) {
-    const SpringRow row = given;  // a copy that the stores below cannot be thought to change
-    const std::ptrdiff_t next_kind = 3 * row.pitch, next_constants = kConstants * kBlockColumns;
-    for (std::ptrdiff_t column = 0; column < row.columns; column += kWidth) {
-        const std::ptrdiff_t block = column / kBlockColumns, lane = column % kBlockColumns;
-        const double* k = row.constants + block * kKinds * next_constants + lane;
-        double* f = row.force + column;
-        double* kept = kDrift ? row.friction + block * kKinds * kBlockColumns + lane : nullptr;
-        std::ptrdiff_t kind = 0;
-        const auto add = [&](const Ends& a, const Ends& b) {
-            const Doubles loss = spring<kDrift>(k + kind * next_constants, f + kind * next_kind,
-                                                row.pitch, a, b, kept + kind * kBlockColumns);
-            ++kind;
-            return loss;
-        };
-        const Ends here = ends_at<kDrift>(row, 0, column);
-        const Ends right = ends_at<kDrift>(row, 0, column + 1);
-        const Ends below = ends_at<kDrift>(row, 1, column);
-        Doubles loss = add(here, right);
-        loss += add(here, below);
-        loss += add(here, ends_at<kDrift>(row, 1, column + 1));
-        loss += add(right, below);
-        loss += add(here, ends_at<kDrift>(row, 0, column + 2));
-        loss += add(here, ends_at<kDrift>(row, 2, column));
-        store(row.loss + column, loss);
-    }
-}
+    void operator+=(const Force& f) { x += f.x, y += f.y, z += f.z; }
+    void operator-=(const Force& f) { x -= f.x, y -= f.y, z -= f.z; }
+};
+
+// All of a force, and its friction.
+struct SplitForce {
+    Force all, friction;
+
+    void operator+=(const SplitForce& f) { all += f.all, friction += f.friction; }
+    void operator-=(const SplitForce& f) { all -= f.all, friction -= f.friction; }
+};
 
 #ifdef EMBERLEAF_PLANT_FORCE_ERROR
 // For the test of the energy ledger only: a law that breaks Newton's third by one per cent.
@@ -121,29 +99,148 @@ constexpr double kReaction = 1.01;
 constexpr double kReaction = 1.0;
 #endif
 
-void gather(const ForceRows& given) {
-    const ForceRows rows = given;
-    const std::ptrdiff_t kind = 3 * rows.pitch;
-    for (std::ptrdiff_t axis = 0; axis < 3; ++axis) {
-        const double* own = rows.own + axis * rows.pitch;
-        const double* above = rows.above + axis * rows.pitch;
-        const double* two_above = rows.two_above + axis * rows.pitch;
-        double* total = rows.total + axis * rows.pitch;
-        for (std::ptrdiff_t c = 0; c < rows.columns; c += kWidth) {
-            Doubles f = load(own + c) - kReaction * load(own + c - 1);
-            f += load(own + kind + c) - kReaction * load(above + kind + c);
-            f += load(own + 2 * kind + c) - kReaction * load(above + 2 * kind + c - 1);
-            f += load(own + 3 * kind + c - 1) - kReaction * load(above + 3 * kind + c);
-            f += load(own + 4 * kind + c) - kReaction * load(own + 4 * kind + c - 2);
-            f += load(own + 5 * kind + c) - kReaction * load(two_above + 5 * kind + c);
-            store(total + c, f);
-        }
+inline Force reaction(const Force& f) {
+    return {kReaction * f.x, kReaction * f.y, kReaction * f.z};
+}
+
+inline SplitForce reaction(const SplitForce& f) {
+    return {reaction(f.all), reaction(f.friction)};
+}
+
+// Springs from a to b, F = [k (1 - l/L) + d (Δv·Δx)/L²] Δx on a. Adds the power lost, d (Δv·n)².
+inline void pull(const double* constants, const Ends& a, const Ends& b, Doubles& lost, Force& f,
+                 Force* part) {
+    const Doubles dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
+    const Doubles inverse = inverse_root(dx * dx + dy * dy + dz * dz);
+    const Doubles rate = ((b.u - a.u) * dx + (b.v - a.v) * dy + (b.w - a.w) * dz) * inverse;
+    const Doubles friction = load(constants + 2 * kBlockColumns) * rate;
+    const Doubles scale = load(constants) + inverse * (friction - load(constants + kBlockColumns));
+    f = {scale * dx, scale * dy, scale * dz};
+    if (part == nullptr) {
+        lost += friction * rate;
+        return;
     }
+    const Doubles share = inverse * friction;
+    *part = {share * dx, share * dy, share * dz};
+}
+
+inline void pull(const double* constants, const Ends& a, const Ends& b, Doubles& lost, Force& f) {
+    pull(constants, a, b, lost, f, nullptr);
+}
+
+inline void pull(const double* constants, const Ends& a, const Ends& b, Doubles& lost,
+                 SplitForce& f) {
+    pull(constants, a, b, lost, f.all, &f.friction);
+}
+
+// What belongs to nodes `kColumns` to the right of where it was found: the last lanes of the
+// vector before, and the first ones of this.
+template <int kColumns>
+inline Doubles shifted(const Doubles& before, const Doubles& here) {
+    using Lanes [[gnu::vector_size(8 * EMBER_LANES)]] = long long;
+    Lanes from{};
+    for (int lane = 0; lane < EMBER_LANES; ++lane)
+        from[lane] = EMBER_LANES - kColumns + lane;
+    return __builtin_shuffle(before, here, from);
+}
+
+template <int kColumns>
+inline Force shifted(const Force& before, const Force& here) {
+    return {shifted<kColumns>(before.x, here.x), shifted<kColumns>(before.y, here.y),
+            shifted<kColumns>(before.z, here.z)};
+}
+
+template <int kColumns>
+inline SplitForce shifted(const SplitForce& before, const SplitForce& here) {
+    return {shifted<kColumns>(before.all, here.all),
+            shifted<kColumns>(before.friction, here.friction)};
+}
+
+inline void load_force(const double* from, std::ptrdiff_t pitch, Force& f) {
+    f = {load(from), load(from + pitch), load(from + 2 * pitch)};
+}
+
+inline void load_force(const double* from, std::ptrdiff_t pitch, SplitForce& f) {
+    load_force(from, pitch, f.all);
+    load_force(from + 3 * pitch, pitch, f.friction);
+}
+
+inline void store_force(double* to, std::ptrdiff_t pitch, const Force& f) {
+    store(to, f.x), store(to + pitch, f.y), store(to + 2 * pitch, f.z);
+}
+
+inline void store_force(double* to, std::ptrdiff_t pitch, const SplitForce& f) {
+    store_force(to, pitch, f.all);
+    store_force(to + 3 * pitch, pitch, f.friction);
+}
+
+// Reactions on nodes one and two columns to the right, and below and one to the right.
+template <class F>
+struct Carried {
+    F right, right_2, below_right;
+};
+
+// The springs of as many columns as there are lanes. Forces stay in registers until they belong to
+// the nodes at hand.
+template <class F>
+inline void add_springs(const SpringRow& row, std::ptrdiff_t column, Carried<F>& carried,
+                        Doubles& lost) {
+    const std::ptrdiff_t block = column / kBlockColumns, lane = column % kBlockColumns;
+    const double* k = row.constants + block * kKinds * kConstants * kBlockColumns + lane;
+    constexpr std::ptrdiff_t kKind = kConstants * kBlockColumns;
+    const Ends here = ends_at(row, 0, column), right = ends_at(row, 0, column + 1),
+               below = ends_at(row, 1, column);
+    Carried<F> now;
+    F own, down, f;  // pulls on the nodes, and reactions on those below
+
+    pull(k + 5 * kKind, here, ends_at(row, 2, column), lost, f);
+    own = f;
+    store_force(row.reaction[2] + column, row.pitch, reaction(f));
+    pull(k + 4 * kKind, here, ends_at(row, 0, column + 2), lost, f);
+    own += f;
+    now.right_2 = reaction(f);
+    pull(k + 2 * kKind, here, ends_at(row, 1, column + 1), lost, f);
+    own += f;
+    now.below_right = reaction(f);
+    pull(k + 1 * kKind, here, below, lost, f);
+    own += f;
+    down = reaction(f);
+    pull(k, here, right, lost, f);
+    own += f;
+    now.right = reaction(f);
+    pull(k + 3 * kKind, right, below, lost, f);
+    now.right -= f;
+    down += reaction(f);
+
+    own -= shifted<1>(carried.right, now.right);
+    own -= shifted<2>(carried.right_2, now.right_2);
+    load_force(row.reaction[0] + column, row.pitch, f);
+    own -= f;
+    store_force(row.force + column, row.pitch, own);
+    down += shifted<1>(carried.below_right, now.below_right);
+    load_force(row.reaction[1] + column, row.pitch, f);
+    down += f;
+    store_force(row.reaction[1] + column, row.pitch, down);
+    carried = now;
+}
+
+template <class F>
+void evaluate(const SpringRow& given) {
+    const SpringRow row = given;  // a copy that the stores cannot be thought to change
+    constexpr std::ptrdiff_t kParts = kBlockColumns / kWidth;
+    Carried<F> carried{};
+    Doubles lost[kParts]{};
+    for (std::ptrdiff_t column = 0; column < row.columns; column += kBlockColumns) {
+        for (std::ptrdiff_t part = 0; part < kParts; ++part)
+            add_springs<F>(row, column + part * kWidth, carried, lost[part]);
+    }
+    for (std::ptrdiff_t part = 0; part < kParts; ++part)
+        store(row.loss + part * kWidth, lost[part]);
 }
 
 }  // namespace
 
 extern const SpringKernel EMBER_KERNEL_NAME;
-const SpringKernel EMBER_KERNEL_NAME{evaluate<false>, evaluate<true>, gather};
+const SpringKernel EMBER_KERNEL_NAME{evaluate<Force>, evaluate<SplitForce>};
 
 }  // namespace ember

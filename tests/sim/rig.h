@@ -43,6 +43,7 @@ struct Rig {
     SpringNetwork network;
     NodeLoads loads;
     SpringForces forces;
+    OldRows old_rows;
     IntegratorScratch scratch;
     StabilityScratch stability;
     std::vector<RowSpan> whole;
@@ -77,13 +78,8 @@ struct Rig {
     /// The right-hand side for the present topology, masses and loads.
     [[nodiscard]] Mechanics mechanics() {
         forces.prepare(lattice, sheet, network, pool->size());
-        return {lattice,
-                sheet,
-                network,
-                loads,
-                forces,
-                *pool,
-                spring_kernel(params.numerics.arithmetic),
+        return {lattice, sheet,    network, loads,
+                forces,  old_rows, *pool,   spring_kernel(params.numerics.arithmetic),
                 whole};
     }
 
