@@ -43,42 +43,59 @@ EMBER_VECTORISED void motion_terms(std::ptrdiff_t first, std::ptrdiff_t count,
     }
 }
 
-}  // namespace
-
-double elastic_energy(const Lattice& lattice, const SheetState& sheet,
-                      const SpringNetwork& network) {
-    double sum = 0.0;
+double elastic_of(const SheetState& sheet, std::ptrdiff_t count, std::ptrdiff_t a, std::ptrdiff_t b,
+                  const double* stiffness, const double* rest) {
     Block terms{};
-    const auto add = [&](std::ptrdiff_t count, std::ptrdiff_t a, std::ptrdiff_t b,
-                         const double* stiffness, const double* rest) {
-        for (std::ptrdiff_t i = 0; i < count; i += kBlock) {
-            const std::ptrdiff_t size = std::min(kBlock, count - i);
-            elastic_terms(size, sheet, a + i, b + i, stiffness + i, rest + i, terms.data());
-            sum += sum_in_lanes(terms.data(), size);
-        }
-    };
-    for_each_spring_row(lattice, [&](std::ptrdiff_t count, Index a, Index b, std::size_t slot) {
-        add(count, a, b, &network.stiffness[slot], &sheet.rest_length[slot]);
-    });
-    for (std::size_t i = 0; i < network.extra.size(); ++i) {
-        const ExtraSpring& spring = network.extra[i];
-        add(1, spring.a, spring.b, &network.extra_stiffness[i],
-            &sheet.rest_length[static_cast<std::size_t>(spring.slot)]);
+    double sum = 0.0;
+    for (std::ptrdiff_t i = 0; i < count; i += kBlock) {
+        const std::ptrdiff_t size = std::min(kBlock, count - i);
+        elastic_terms(size, sheet, a + i, b + i, stiffness + i, rest + i, terms.data());
+        sum += sum_in_lanes(terms.data(), size);
     }
     return sum;
 }
 
-void add_energy(const Lattice& lattice, const WorldParams& world, const SheetState& sheet,
-                const SpringNetwork& network, MechanicalEnergy& energy) {
+void add_motion(const SheetState& sheet, const WorldParams& world, std::ptrdiff_t begin,
+                std::ptrdiff_t end, MechanicalEnergy& energy) {
     Block kinetic{}, gravitational{};
-    const auto nodes = static_cast<std::ptrdiff_t>(sheet.mass.size());
-    for (std::ptrdiff_t first = 0; first < nodes; first += kBlock) {
-        const std::ptrdiff_t count = std::min(kBlock, nodes - first);
+    for (std::ptrdiff_t first = begin; first < end; first += kBlock) {
+        const std::ptrdiff_t count = std::min(kBlock, end - first);
         motion_terms(first, count, sheet, world, kinetic.data(), gravitational.data());
         energy.kinetic += sum_in_lanes(kinetic.data(), count);
         energy.gravitational += sum_in_lanes(gravitational.data(), count);
     }
-    energy.elastic += elastic_energy(lattice, sheet, network);
+}
+
+}  // namespace
+
+MechanicalEnergy sheet_energy(const Lattice& lattice, const WorldParams& world,
+                              const SheetState& sheet, const SpringNetwork& network,
+                              ThreadPool& pool, std::vector<MechanicalEnergy>& rows) {
+    const std::ptrdiff_t columns = lattice.column_count;
+    rows.resize(static_cast<std::size_t>(lattice.row_count));
+    pool.for_rows(
+        lattice.row_count, kSlotCount * columns, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+            for (std::ptrdiff_t row = begin; row < end; ++row) {
+                MechanicalEnergy& energy = rows[static_cast<std::size_t>(row)] = {};
+                const auto add = [&](std::ptrdiff_t count, Index a, Index b, std::size_t slot) {
+                    energy.elastic += elastic_of(sheet, count, a, b, &network.stiffness[slot],
+                                                 &sheet.rest_length[slot]);
+                };
+                for_springs_of_row(lattice, static_cast<Index>(row), add);
+                add_motion(sheet, world, row * columns, (row + 1) * columns, energy);
+            }
+        });
+    MechanicalEnergy sum;
+    for (const MechanicalEnergy& row : rows)
+        sum += row;
+    add_motion(sheet, world, lattice.site_count(), static_cast<std::ptrdiff_t>(sheet.mass.size()),
+               sum);  // copies
+    for (std::size_t i = 0; i < network.extra.size(); ++i) {
+        const ExtraSpring& spring = network.extra[i];
+        sum.elastic += elastic_of(sheet, 1, spring.a, spring.b, &network.extra_stiffness[i],
+                                  &sheet.rest_length[static_cast<std::size_t>(spring.slot)]);
+    }
+    return sum;
 }
 
 double unaccounted_energy(const EnergyLedger& e, double& scale) {

@@ -1,6 +1,7 @@
 // The mechanical energy of the world and the ledger of where it went.
 #pragma once
 
+#include "sim/parallel.h"
 #include "sim/params.h"
 #include "sim/spring_network.h"
 #include "sim/world_state.h"
@@ -11,6 +12,9 @@ namespace ember {
 struct MechanicalEnergy {
     double kinetic = 0, elastic = 0, gravitational = 0;
     [[nodiscard]] double total() const { return kinetic + elastic + gravitational; }
+    void operator+=(const MechanicalEnergy& e) {
+        kinetic += e.kinetic, elastic += e.elastic, gravitational += e.gravitational;
+    }
 };
 
 /// Gravity that node n feels [m/s^2]: less while its piece is held (world.held_gravity).
@@ -19,13 +23,11 @@ struct MechanicalEnergy {
     return world.gravity * (sheet.piece_held[n] != 0 ? world.held_gravity : 1.0);
 }
 
-/// Elastic energy ½ Σ k (L - l)² [J].
-[[nodiscard]] double elastic_energy(const Lattice& lattice, const SheetState& sheet,
-                                    const SpringNetwork& network);
-
-/// Adds the energy of one sheet: ½ Σ m v² + ½ Σ k (L - l)² + Σ m g y.
-void add_energy(const Lattice& lattice, const WorldParams& world, const SheetState& sheet,
-                const SpringNetwork& network, MechanicalEnergy& energy);
+/// The energy of one sheet: ½ Σ m v², ½ Σ k (L - l)², Σ m g y. `rows` is scratch. The same bits for
+/// any number of threads.
+[[nodiscard]] MechanicalEnergy sheet_energy(const Lattice& lattice, const WorldParams& world,
+                                            const SheetState& sheet, const SpringNetwork& network,
+                                            ThreadPool& pool, std::vector<MechanicalEnergy>& rows);
 
 /// By how much the ledger fails to account for the present energy [J]; positive: energy from
 /// nowhere. `scale` receives the largest of its terms.

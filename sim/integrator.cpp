@@ -12,6 +12,7 @@ std::size_t accelerations_of(IntegratorKind integrator) {
     switch (integrator) {
         case IntegratorKind::SemiImplicitEuler:
         case IntegratorKind::VelocityVerlet:
+            return 0;
         case IntegratorKind::Rosenbrock:
             return 1;
         case IntegratorKind::Auto:
@@ -30,8 +31,9 @@ std::size_t accelerations_of(IntegratorKind integrator) {
 void prepare(const Mechanics& m, const StepControl& control, IntegratorScratch& s) {
     const std::size_t n = m.node_count(), count = 3 * n;
     s.present.read(m.sheet);
-    s.stage.resize(n);
     const std::size_t needed = accelerations_of(control.integrator);
+    if (needed == 0) return;
+    s.stage.resize(n);
     if (s.accelerations.size() < needed) s.accelerations.resize(needed);
     for (std::vector<double>& a : s.accelerations)
         a.assign(count, 0.0);  // rows that are not moved keep it

@@ -76,20 +76,18 @@ struct Lattice {
     }
 };
 
-/// Calls visit(count, a, b, slot) for every row of springs of one kind: `count` springs between
-/// nodes a+i and b+i whose slots are slot+i. Springs without stiffness are among them.
+/// Calls visit(count, a, b, slot) for every kind of springs anchored at a row: `count` springs
+/// between nodes a+i and b+i whose slots are slot+i. Springs without stiffness are among them.
 template <class Visitor>
-void for_each_spring_row(const Lattice& lattice, Visitor&& visit) {
+void for_springs_of_row(const Lattice& lattice, Index row, Visitor&& visit) {
     for (int k = 0; k < kSlotCount; ++k) {
         const auto kind = static_cast<Slot>(k);
         const bool across = kind == Slot::Cross || kind == Slot::BendCross;
         const Index count = lattice.column_count - (across ? 0 : kind == Slot::BendMain ? 2 : 1);
-        for (Index row = 0; count > 0 && row < lattice.row_count; ++row) {
-            const Index anchor = lattice.site(row, 0);
-            const auto [a, b] = lattice.ends(kind, anchor);
-            if (a == kNone) continue;
+        const Index anchor = lattice.site(row, 0);
+        const auto [a, b] = lattice.ends(kind, anchor);
+        if (count > 0 && a != kNone)
             visit(count, a, b, static_cast<std::size_t>(lattice.slot(kind, anchor)));
-        }
     }
 }
 

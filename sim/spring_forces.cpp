@@ -62,7 +62,7 @@ EMBER_VECTORISED void pack_row(std::ptrdiff_t columns, const double* __restrict 
 
 }  // namespace
 
-double sum_in_lanes(const double* values, std::ptrdiff_t count) {
+EMBER_VECTORISED double sum_in_lanes(const double* values, std::ptrdiff_t count) {
     std::array<double, kBlockColumns> sum{};
     std::ptrdiff_t i = 0;
     for (; i + kBlockColumns <= count; i += kBlockColumns) {
@@ -117,25 +117,29 @@ double ExtraSprings::evaluate(const SpringNetwork& network, const NodeMotion& mo
 }
 
 void SpringForces::prepare(const Lattice& lattice, const SheetState& sheet,
-                           const SpringNetwork& network, int threads) {
+                           const SpringNetwork& network, ThreadPool& pool) {
     const std::ptrdiff_t padded = padded_columns(lattice.column_count);
     const std::ptrdiff_t row_size = padded * kKinds * kConstants;
     pitch = padded;
     const auto rows = static_cast<std::size_t>(lattice.row_count);
     constants.resize(rows * static_cast<std::size_t>(row_size));
-    for (Index row = 0; row < lattice.row_count; ++row) {
-        for (std::ptrdiff_t kind = 0; kind < kKinds; ++kind) {
-            const auto slot = static_cast<std::size_t>(
-                lattice.slot(static_cast<Slot>(kind), lattice.site(row, 0)));
-            pack_row(lattice.column_count, &network.stiffness[slot], &network.damping[slot],
-                     &sheet.rest_length[slot],
-                     constants.data() + row * row_size + kind * kConstants * kBlockColumns);
-        }
-    }
-    rings.resize(static_cast<std::size_t>(threads));
+    pool.for_rows(
+        lattice.row_count, kKinds * padded, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+            for (std::ptrdiff_t row = begin; row < end; ++row) {
+                for (std::ptrdiff_t kind = 0; kind < kKinds; ++kind) {
+                    const auto slot = static_cast<std::size_t>(lattice.slot(
+                        static_cast<Slot>(kind), lattice.site(static_cast<Index>(row), 0)));
+                    pack_row(lattice.column_count, &network.stiffness[slot], &network.damping[slot],
+                             &sheet.rest_length[slot],
+                             constants.data() + row * row_size + kind * kConstants * kBlockColumns);
+                }
+            }
+        });
+    const auto threads = static_cast<std::size_t>(pool.size());
+    rings.resize(threads);
     for (AlignedArray& ring : rings)
         ring.assign_zero(static_cast<std::size_t>(24 * pitch));
-    finishing.resize(static_cast<std::size_t>(threads));
+    finishing.resize(threads);
     for (AlignedArray& scratch : finishing)
         scratch.resize(static_cast<std::size_t>(4 * pitch));
     row_damping.assign(rows, 0.0);

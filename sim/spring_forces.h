@@ -15,6 +15,7 @@
 #include "sim/aligned_array.h"
 #include "sim/kernel/spring_kernel.h"
 #include "sim/lattice.h"
+#include "sim/parallel.h"
 #include "sim/spring_network.h"
 #include "sim/world_state.h"
 
@@ -57,7 +58,7 @@ struct SpringForces {
 
     /// Packs the network's constants for the sheet's present rest lengths.
     void prepare(const Lattice& lattice, const SheetState& sheet, const SpringNetwork& network,
-                 int threads);
+                 ThreadPool& pool);
 };
 
 /// Sums of spring forces along a span of rows, one row at a time from the first to the last.

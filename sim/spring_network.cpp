@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/vectorise.h"
+
 namespace ember {
 namespace {
 
@@ -101,9 +103,17 @@ void index_ends(SpringNetwork& network) {
     network.end_begin.push_back(static_cast<Index>(network.ends.size()));
 }
 
-double mass_fraction(const SheetState& sheet, Index node) {
-    const auto n = static_cast<std::size_t>(node);
-    return sheet.mass[n] / sheet.initial_mass[n];
+// A spring is as weak as its weaker end.
+EMBER_VECTORISED void weaken_run(std::ptrdiff_t count, const double* __restrict at_a,
+                                 const double* __restrict at_b, const double* __restrict weight,
+                                 const double* __restrict unburnt_k,
+                                 const double* __restrict unburnt_d, double* __restrict k,
+                                 double* __restrict d) {
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const double w = weight[i] * (at_a[i] < at_b[i] ? at_a[i] : at_b[i]);
+        k[i] = unburnt_k[i] * w;
+        d[i] = unburnt_d[i] * w;
+    }
 }
 
 }  // namespace
@@ -135,28 +145,31 @@ void rebuild_network(const Lattice& lattice, const SheetState& sheet, SpringNetw
 }
 
 void weaken_springs(const Lattice& lattice, const SheetState& sheet, bool follows_mass,
-                    SpringNetwork& network) {
-    const auto factor = [&](Index a, Index b) {
-        return follows_mass ? std::min(mass_fraction(sheet, a), mass_fraction(sheet, b)) : 1.0;
-    };
-    network.stiffness.assign(network.weight.size(), 0.0);
-    network.damping.assign(network.weight.size(), 0.0);
-    for (int k = 0; k < kSlotCount; ++k) {
-        for (Index anchor = 0; anchor < lattice.site_count(); ++anchor) {
-            const auto s = static_cast<std::size_t>(lattice.slot(static_cast<Slot>(k), anchor));
-            if (network.weight[s] == 0) continue;
-            const auto [a, b] = lattice.ends(static_cast<Slot>(k), anchor);
-            const double w = network.weight[s] * factor(a, b);
-            network.stiffness[s] = lattice.stiffness[s] * w;
-            network.damping[s] = lattice.damping[s] * w;
+                    ThreadPool& pool, SpringNetwork& network) {
+    const std::size_t nodes = sheet.mass.size(), slots = network.weight.size();
+    network.left.resize(nodes);
+    for (std::size_t n = 0; n < nodes; ++n)
+        network.left[n] = follows_mass ? sheet.mass[n] / sheet.initial_mass[n] : 1.0;
+    network.stiffness.resize(slots, 0.0);
+    network.damping.resize(slots, 0.0);
+    const double* left = network.left.data();
+    const auto on_rows = [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+        for (std::ptrdiff_t row = begin; row < end; ++row) {
+            for_springs_of_row(lattice, static_cast<Index>(row),
+                               [&](std::ptrdiff_t count, Index a, Index b, std::size_t slot) {
+                                   weaken_run(count, left + a, left + b, &network.weight[slot],
+                                              &lattice.stiffness[slot], &lattice.damping[slot],
+                                              &network.stiffness[slot], &network.damping[slot]);
+                               });
         }
-    }
+    };
+    pool.for_rows(lattice.row_count, kSlotCount * lattice.column_count, on_rows);
     network.extra_stiffness.resize(network.extra.size());
     network.extra_damping.resize(network.extra.size());
     for (std::size_t x = 0; x < network.extra.size(); ++x) {
         const ExtraSpring& spring = network.extra[x];
         const auto s = static_cast<std::size_t>(spring.slot);
-        const double w = spring.weight * factor(spring.a, spring.b);
+        const double w = spring.weight * std::min(left[spring.a], left[spring.b]);
         network.extra_stiffness[x] = lattice.stiffness[s] * w;
         network.extra_damping[x] = lattice.damping[s] * w;
     }

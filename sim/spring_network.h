@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/lattice.h"
+#include "sim/parallel.h"
 #include "sim/world_state.h"
 
 namespace ember {
@@ -34,6 +35,7 @@ struct SpringNetwork {
     // for the present masses; see weaken_springs()
     std::vector<double> stiffness, damping;              ///< [N/m], [kg/s], 6×S
     std::vector<double> extra_stiffness, extra_damping;  ///< X
+    std::vector<double> left;                            ///< [1] of each node's mass, N
     std::uint64_t topology_version = ~0ull;              ///< of the sheet it was built for
 };
 
@@ -43,7 +45,7 @@ void rebuild_network(const Lattice& lattice, const SheetState& sheet, SpringNetw
 /// Sets the network's stiffness and damping for the sheet's present masses: unburnt value × weight
 /// × the smaller mass fraction of the two ends (follows_mass), or without the last factor.
 void weaken_springs(const Lattice& lattice, const SheetState& sheet, bool follows_mass,
-                    SpringNetwork& network);
+                    ThreadPool& pool, SpringNetwork& network);
 
 /// Calls visit(a, b, slot, stiffness, damping) for every spring there is.
 template <class Visitor>

@@ -54,14 +54,10 @@ EMBER_VECTORISED void add_run(std::ptrdiff_t count, const double* __restrict fro
         to[i] += from[i];
 }
 
-void add_springs(std::ptrdiff_t count, const Positions& p, std::ptrdiff_t a, std::ptrdiff_t b,
-                 const double* stiffness, const double* damping, const double* rest,
-                 StabilityScratch& scratch) {
-    spring_blocks(count, p, a, b, stiffness, damping, rest, pointers(scratch.row));
-    for (std::size_t i = 0; i < scratch.row.size(); ++i) {
-        add_run(count, scratch.row[i].data(), scratch.blocks[i].data() + a);
-        add_run(count, scratch.row[i].data(), scratch.blocks[i].data() + b);
-    }
+EMBER_VECTORISED void square_roots(const double* __restrict from, std::ptrdiff_t count,
+                                   double* __restrict to) {
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        to[i] = std::sqrt(from[i]);
 }
 
 // Largest eigenvalue of each symmetric positive semi-definite block, from above: Newton's method
@@ -94,47 +90,140 @@ EMBER_VECTORISED void largest_eigenvalues(std::ptrdiff_t count, const Blocks& in
     }
 }
 
-void sum_blocks(const Lattice& lattice, const SheetState& sheet, const SpringNetwork& network,
-                const Positions& p, StabilityScratch& scratch) {
-    for_each_spring_row(lattice, [&](std::ptrdiff_t count, Index a, Index b, std::size_t slot) {
-        add_springs(count, p, a, b, &network.stiffness[slot], &network.damping[slot],
-                    &sheet.rest_length[slot], scratch);
-    });
-    for (std::size_t i = 0; i < network.extra.size(); ++i) {
-        const ExtraSpring& spring = network.extra[i];
-        add_springs(1, p, spring.a, spring.b, &network.extra_stiffness[i],
-                    &network.extra_damping[i],
-                    &sheet.rest_length[static_cast<std::size_t>(spring.slot)], scratch);
+// The nodes of some rows, by one thread.
+class RowBlocks {
+  public:
+    RowBlocks(const Lattice& lattice, const SheetState& sheet, const SpringNetwork& network,
+              const NodeLoads& loads, StabilityScratch& scratch, std::size_t thread)
+        : lattice_(lattice),
+          sheet_(sheet),
+          network_(network),
+          loads_(loads),
+          scratch_(scratch),
+          row_(scratch.row[thread]),
+          positions_{sheet.position.x.data(), sheet.position.y.data(), sheet.position.z.data(),
+                     scratch.root.data()} {
+        for (auto& array : row_)
+            array.resize(static_cast<std::size_t>(lattice.column_count));
     }
-}
+
+    /// Sums up the stencil's springs at the nodes of rows [begin, end).
+    void sum(Index begin, Index end) {
+        for (auto& block : scratch_.blocks) {
+            const auto column_0 = [&](Index row) { return block.begin() + lattice_.site(row, 0); };
+            std::fill(column_0(begin), column_0(end), 0.0);
+        }
+        for (Index place = begin - 2; place < end; ++place) {
+            const Index row = lattice_.row_at(place, 0);
+            if (row == kNone) continue;
+            for_springs_of_row(
+                lattice_, row, [&](std::ptrdiff_t count, Index a, Index b, std::size_t slot) {
+                    // on a closed sheet the rows above the first are the last
+                    const Index down = lattice_.row_of(b) - row;
+                    const Index end_place = place + (down < 0 ? down + lattice_.row_count : down);
+                    const bool at_a = place >= begin, at_b = end_place >= begin && end_place < end;
+                    if (at_a || at_b) {
+                        add(count, a, b, at_a, at_b, &network_.stiffness[slot],
+                            &network_.damping[slot], &sheet_.rest_length[slot]);
+                    }
+                });
+        }
+    }
+
+    /// Springs at cuts.
+    void sum_extra() {
+        for (std::size_t i = 0; i < network_.extra.size(); ++i) {
+            const ExtraSpring& spring = network_.extra[i];
+            add(1, spring.a, spring.b, true, true, &network_.extra_stiffness[i],
+                &network_.extra_damping[i],
+                &sheet_.rest_length[static_cast<std::size_t>(spring.slot)]);
+        }
+    }
+
+    /// The fastest motion of nodes [first, last).
+    FastestMotion fastest(std::ptrdiff_t first, std::ptrdiff_t last) {
+        FastestMotion fastest;
+        double omega_squared = 0.0;
+        std::vector<double>& largest = row_[0];
+        const auto columns = static_cast<std::ptrdiff_t>(largest.size());
+        for (std::ptrdiff_t begin = first; begin < last; begin += columns) {
+            const std::ptrdiff_t count = std::min(columns, last - begin);
+            largest_eigenvalues(count, pointers(scratch_.blocks, static_cast<std::size_t>(begin)),
+                                scratch_.root.data() + begin, largest.data());
+            for (std::ptrdiff_t i = 0; i < count; ++i) {
+                const auto n = static_cast<std::size_t>(begin + i);
+                omega_squared = std::max(omega_squared, largest[static_cast<std::size_t>(i)]);
+                const double drag = loads_.has_drag ? loads_.drag[n] * loads_.inverse_mass[n] : 0.0;
+                fastest.gamma =
+                    std::max(fastest.gamma, scratch_.blocks[6][n] * scratch_.root[n] + drag);
+            }
+        }
+        fastest.omega = std::sqrt(omega_squared);
+        return fastest;
+    }
+
+  private:
+    void add(std::ptrdiff_t count, Index a, Index b, bool at_a, bool at_b, const double* stiffness,
+             const double* damping, const double* rest) {
+        spring_blocks(count, positions_, a, b, stiffness, damping, rest, pointers(row_));
+        for (std::size_t i = 0; i < row_.size(); ++i) {
+            if (at_a) add_run(count, row_[i].data(), scratch_.blocks[i].data() + a);
+            if (at_b) add_run(count, row_[i].data(), scratch_.blocks[i].data() + b);
+        }
+    }
+
+    const Lattice& lattice_;
+    const SheetState& sheet_;
+    const SpringNetwork& network_;
+    const NodeLoads& loads_;
+    StabilityScratch& scratch_;
+    std::array<std::vector<double>, 7>& row_;
+    const Positions positions_;
+};
 
 }  // namespace
 
 FastestMotion find_fastest_motion(const Lattice& lattice, const SheetState& sheet,
                                   const SpringNetwork& network, const NodeLoads& loads,
-                                  StabilityScratch& scratch) {
+                                  ThreadPool& pool, StabilityScratch& scratch) {
     const std::size_t nodes = sheet.mass.size();
     scratch.root.resize(nodes);
-    for (std::size_t n = 0; n < nodes; ++n)
-        scratch.root[n] = std::sqrt(loads.inverse_mass[n]);
-    for (auto& array : scratch.blocks)
-        array.assign(nodes, 0.0);
-    for (auto& array : scratch.row)
-        array.resize(std::max(nodes, static_cast<std::size_t>(lattice.column_count)));
-    const Positions p{sheet.position.x.data(), sheet.position.y.data(), sheet.position.z.data(),
-                      scratch.root.data()};
-    sum_blocks(lattice, sheet, network, p, scratch);
-    std::vector<double>& largest = scratch.row[0];
-    largest_eigenvalues(static_cast<std::ptrdiff_t>(nodes), pointers(scratch.blocks), p.root,
-                        largest.data());
-    FastestMotion fastest;
-    double omega_squared = 0.0;
-    for (std::size_t n = 0; n < nodes; ++n) {
-        omega_squared = std::max(omega_squared, largest[n]);
-        const double drag = loads.has_drag ? loads.drag[n] * loads.inverse_mass[n] : 0.0;
-        fastest.gamma = std::max(fastest.gamma, scratch.blocks[6][n] * scratch.root[n] + drag);
+    square_roots(loads.inverse_mass.data(), static_cast<std::ptrdiff_t>(nodes),
+                 scratch.root.data());
+    for (auto& array : scratch.blocks) {
+        array.resize(nodes);
+        std::fill(array.begin() + lattice.site_count(), array.end(), 0.0);
     }
-    fastest.omega = std::sqrt(omega_squared);
+    const auto threads = static_cast<std::size_t>(pool.size());
+    scratch.row.resize(threads);
+    scratch.fastest.assign(threads, {});
+    const std::ptrdiff_t work = kSlotCount * lattice.column_count;
+    const auto on_rows = [&](int part, std::ptrdiff_t begin, std::ptrdiff_t end) {
+        const auto thread = static_cast<std::size_t>(part);
+        RowBlocks rows(lattice, sheet, network, loads, scratch, thread);
+        rows.sum(static_cast<Index>(begin), static_cast<Index>(end));
+        // with extra springs, the sums are not complete yet
+        if (network.extra.empty()) {
+            scratch.fastest[thread] =
+                rows.fastest(begin * lattice.column_count, end * lattice.column_count);
+        }
+    };
+    pool.for_parts(lattice.row_count, work, on_rows);
+    if (!network.extra.empty()) {
+        RowBlocks all(lattice, sheet, network, loads, scratch, 0);
+        all.sum_extra();
+        pool.for_parts(static_cast<std::ptrdiff_t>(nodes), 1,
+                       [&](int part, std::ptrdiff_t begin, std::ptrdiff_t end) {
+                           const auto thread = static_cast<std::size_t>(part);
+                           RowBlocks some(lattice, sheet, network, loads, scratch, thread);
+                           scratch.fastest[thread] = some.fastest(begin, end);
+                       });
+    }
+    FastestMotion fastest;
+    for (const FastestMotion& part : scratch.fastest) {
+        fastest.omega = std::max(fastest.omega, part.omega);
+        fastest.gamma = std::max(fastest.gamma, part.gamma);
+    }
     return fastest;
 }
 

@@ -21,7 +21,9 @@ struct FastestMotion {
 struct StabilityScratch {
     std::vector<double> root;                   ///< [kg^-1/2] 1/√m, N
     std::array<std::vector<double>, 7> blocks;  ///< stiffness xx xy xz yy yz zz, damping; N
-    std::array<std::vector<double>, 7> row;     ///< the same of one row of springs
+    /// The same of one row of springs, for each thread.
+    std::vector<std::array<std::vector<double>, 7>> row;
+    std::vector<FastestMotion> fastest;  ///< of each part
 };
 
 /// Bounds ω and γ of the sheet at its present positions. Of a spring with stiffness matrix K
@@ -36,7 +38,8 @@ struct StabilityScratch {
 /// its size. Held nodes drop out. Valid for any mass, stretch and topology.
 [[nodiscard]] FastestMotion find_fastest_motion(const Lattice& lattice, const SheetState& sheet,
                                                 const SpringNetwork& network,
-                                                const NodeLoads& loads, StabilityScratch& scratch);
+                                                const NodeLoads& loads, ThreadPool& pool,
+                                                StabilityScratch& scratch);
 
 /// What numerics.integrator = auto stands for in a tick of `dt` [s]: velocity_verlet, which needs
 /// the fewest right-hand sides per second for the motion of a sheet, unless it would take more

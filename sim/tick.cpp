@@ -40,7 +40,7 @@ double end_time(const Tick& t) {
 }
 
 double energy_change(const Tick& t) {
-    return record_energy(measure_energy(t.params, t.state, t.work), t.state.energy);
+    return record_energy(measure_energy(t.params, t.state, t.pool, t.work), t.state.energy);
 }
 
 void run_fire(const Tick& t, StepCounters& counters) {
@@ -68,7 +68,7 @@ void run_coupling(const Tick& t, StepCounters& counters) {
 StepControl plan_steps(const Tick& t, const SheetState& sheet, SheetWorkspace& w) {
     const NumericsParams& n = t.params.numerics;
     const FastestMotion fastest =
-        find_fastest_motion(w.lattice, sheet, w.network, w.loads, w.stability);
+        find_fastest_motion(w.lattice, sheet, w.network, w.loads, t.pool, w.stability);
     StepControl control{.integrator = choose_integrator(n, fastest, t.dt), .dt = t.dt};
     const double step = n.safety * stable_step(control.integrator, fastest);
     double needed = std::max(1.0 * n.substeps_min, std::ceil(t.dt / step));
@@ -99,7 +99,7 @@ bool run_springs(const Tick& t, StepReport& report) {
             report.reason = "a stable sub-step would be shorter than a millionth of the tick";
             return false;
         }
-        w.forces.prepare(w.lattice, sheet, w.network, t.pool.size());
+        w.forces.prepare(w.lattice, sheet, w.network, t.pool);
         const TickWork work =
             integrate({w.lattice, sheet, w.network, w.loads, w.forces, w.old_rows, t.pool,
                        spring_kernel(t.params.numerics.arithmetic), w.awake},
@@ -168,7 +168,8 @@ void run_burning(const Tick& t, StepCounters& counters) {
         gone += burnt;
         if (counters.nodes_ignited + counters.nodes_burnt_out != changes)
             find_active(w.lattice, sheet, w.active);
-        if (burnt > 0) weaken_springs(w.lattice, sheet, t.params.springs.follows_mass, w.network);
+        if (burnt > 0)
+            weaken_springs(w.lattice, sheet, t.params.springs.follows_mass, t.pool, w.network);
     }
     t.state.totals.burnt_mass += gone;
     t.state.totals.ignitions += counters.nodes_ignited;
@@ -196,7 +197,7 @@ void run_fracture(const Tick& t, StepCounters& counters) {
     if (counters.cuts == 0) return;
     for (SheetState& sheet : t.state.sheets)
         wake(sheet);
-    refresh_derived(t.params, t.state, t.work);
+    refresh_derived(t.params, t.state, t.pool, t.work);
     t.state.energy.change_topology += energy_change(t);
 }
 
@@ -230,7 +231,8 @@ StepReport run_tick(const Tick& t) {
     return report;
 }
 
-void refresh_derived(const Params& params, const WorldState& state, Workspace& work) {
+void refresh_derived(const Params& params, const WorldState& state, ThreadPool& pool,
+                     Workspace& work) {
     for (std::size_t s = 0; s < state.sheets.size(); ++s) {
         const SheetState& sheet = state.sheets[s];
         SheetWorkspace& w = work.sheets[s];
@@ -238,17 +240,18 @@ void refresh_derived(const Params& params, const WorldState& state, Workspace& w
             rebuild_network(w.lattice, sheet, w.network);
             rebuild_heat(w.lattice, sheet, w.network, params.paper, w.heat);
         }
-        weaken_springs(w.lattice, sheet, params.springs.follows_mass, w.network);
+        weaken_springs(w.lattice, sheet, params.springs.follows_mass, pool, w.network);
         find_active(w.lattice, sheet, w.active);
     }
 }
 
-MechanicalEnergy measure_energy(const Params& params, const WorldState& state,
-                                const Workspace& work) {
+MechanicalEnergy measure_energy(const Params& params, const WorldState& state, ThreadPool& pool,
+                                Workspace& work) {
     MechanicalEnergy energy;
     for (std::size_t s = 0; s < state.sheets.size(); ++s) {
-        add_energy(work.sheets[s].lattice, params.world, state.sheets[s], work.sheets[s].network,
-                   energy);
+        SheetWorkspace& w = work.sheets[s];
+        energy +=
+            sheet_energy(w.lattice, params.world, state.sheets[s], w.network, pool, w.row_energy);
     }
     return energy;
 }

@@ -25,11 +25,12 @@ struct Tick {
 [[nodiscard]] StepReport run_tick(const Tick& tick);
 
 /// Brings networks and conductances up to date with topology and masses, e.g. after a restore.
-void refresh_derived(const Params& params, const WorldState& state, Workspace& work);
+void refresh_derived(const Params& params, const WorldState& state, ThreadPool& pool,
+                     Workspace& work);
 
 /// Energy of all sheets [J].
 [[nodiscard]] MechanicalEnergy measure_energy(const Params& params, const WorldState& state,
-                                              const Workspace& work);
+                                              ThreadPool& pool, Workspace& work);
 
 /// Stores `now` in the ledger and returns the change since the last time [J].
 double record_energy(const MechanicalEnergy& now, EnergyLedger& ledger);

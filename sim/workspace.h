@@ -25,6 +25,7 @@ struct SheetWorkspace {
     SpringForces forces;
     OldRows old_rows;
     StabilityScratch stability;
+    std::vector<MechanicalEnergy> row_energy;
     IntegratorScratch integration;
     HeatScratch heat;
     ActiveNodes active;            ///< follows the sheet's phases

@@ -52,8 +52,8 @@ World::World(Scene scene, const Params& params, int threads)
         w.lattice = make_lattice(scene_.sheets[s], params.paper, params.springs, seed, s);
         state_.sheets.push_back(make_sheet(scene_.sheets[s], w.lattice, params, s));
     }
-    refresh_derived(params_, state_, *work_);
-    record_energy(measure_energy(params_, state_, *work_), state_.energy);
+    refresh_derived(params_, state_, *pool_, *work_);
+    record_energy(measure_energy(params_, state_, *pool_, *work_), state_.energy);
     state_.energy.initial =
         state_.energy.kinetic + state_.energy.elastic + state_.energy.gravitational;
     state_.energy.initial_gravitational = state_.energy.gravitational;
@@ -92,9 +92,9 @@ bool World::apply(const Params& params) {
     params_ = params;
     for (SheetState& sheet : state_.sheets)
         wake(sheet);
-    refresh_derived(params_, state_, *work_);
+    refresh_derived(params_, state_, *pool_, *work_);
     state_.energy.change_edit +=
-        record_energy(measure_energy(params_, state_, *work_), state_.energy);
+        record_energy(measure_energy(params_, state_, *pool_, *work_), state_.energy);
     return true;
 }
 
@@ -103,7 +103,7 @@ void World::restore(WorldState state) {
     for (SheetWorkspace& w : work_->sheets)
         w.network.topology_version = ~0ull;
     work_->tiles.clear();
-    refresh_derived(params_, state_, *work_);
+    refresh_derived(params_, state_, *pool_, *work_);
 }
 
 std::uint64_t World::hash() const {

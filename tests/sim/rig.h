@@ -46,6 +46,7 @@ struct Rig {
     OldRows old_rows;
     IntegratorScratch scratch;
     StabilityScratch stability;
+    std::vector<MechanicalEnergy> row_energy;
     std::vector<RowSpan> whole;
     std::unique_ptr<ThreadPool> pool = std::make_unique<ThreadPool>(1);
     StepCounters counters;
@@ -61,7 +62,7 @@ struct Rig {
     /// After any change of topology, mass or held nodes.
     void refresh() {
         rebuild_network(lattice, sheet, network);
-        weaken_springs(lattice, sheet, params.springs.follows_mass, network);
+        weaken_springs(lattice, sheet, params.springs.follows_mass, *pool, network);
         gather_loads(params, sheet, {}, loads);
     }
 
@@ -77,7 +78,7 @@ struct Rig {
 
     /// The right-hand side for the present topology, masses and loads.
     [[nodiscard]] Mechanics mechanics() {
-        forces.prepare(lattice, sheet, network, pool->size());
+        forces.prepare(lattice, sheet, network, *pool);
         return {lattice, sheet,    network, loads,
                 forces,  old_rows, *pool,   spring_kernel(params.numerics.arithmetic),
                 whole};
@@ -85,7 +86,11 @@ struct Rig {
 
     [[nodiscard]] FastestMotion fastest() {
         gather_loads(params, sheet, {}, loads);
-        return find_fastest_motion(lattice, sheet, network, loads, stability);
+        return find_fastest_motion(lattice, sheet, network, loads, *pool, stability);
+    }
+
+    [[nodiscard]] MechanicalEnergy energy() {
+        return sheet_energy(lattice, params.world, sheet, network, *pool, row_energy);
     }
 
     [[nodiscard]] std::size_t site(Index row, Index column) const {

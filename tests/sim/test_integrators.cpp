@@ -117,9 +117,7 @@ TEST(Integrators, FreeFallIsExact) {
 }
 
 double energy_of(Rig& rig) {
-    MechanicalEnergy energy;
-    add_energy(rig.lattice, rig.params.world, rig.sheet, rig.network, energy);
-    return energy.total();
+    return rig.energy().total();
 }
 
 TEST(Integrators, TheirLossesAccountForTheirEnergy) {
