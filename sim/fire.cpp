@@ -102,15 +102,6 @@ void fly_new(const Params& params, double end, std::size_t first, FireState& fir
     }
 }
 
-// Calls visit(array) for every array of the particles.
-template <class Visitor>
-void for_each_array(FireState& fire, Visitor&& visit) {
-    visit(fire.position.x), visit(fire.position.y), visit(fire.position.z);
-    visit(fire.velocity.x), visit(fire.velocity.y), visit(fire.velocity.z);
-    visit(fire.temperature), visit(fire.strength), visit(fire.birth), visit(fire.death);
-    visit(fire.id);
-}
-
 // Removes particles whose time is over, keeping the others in order. Most live on from tick to
 // tick, so whole stretches between the dead are moved at once, and those before the first not.
 void remove_dead(double now, FireState& fire) {

@@ -109,7 +109,8 @@ EMBER_VECTORISED void find_exponents(double rate, const double* __restrict fresh
 void cool_particles(const Params& params, double dt, std::size_t particles, FireState& fire,
                     CouplingScratch& s) {
     std::vector<double>& kept = s.kept;
-    kept.assign(particles, 0.0);
+    kept.resize(particles);  // assign() would make room for no more than these
+    std::fill(kept.begin(), kept.end(), 0.0);
     for (std::size_t b = 0; b < static_cast<std::size_t>(s.plan.blocks); ++b) {
         const ParticleRun run = s.touched[b];
         if (run.begin >= run.end) continue;
@@ -171,7 +172,6 @@ void couple_fire(const Params& params, double time, double dt,
     scratch.absorbed.resize(blocks * particles);
     scratch.touched.resize(blocks);
     const Coupling coupling{params, sheets, scratch, received, particles};
-    // one reference only: what fits into std::function is not allocated
     pool.for_rows(scratch.plan.blocks, counters.coupling_pairs / scratch.plan.blocks + 1,
                   [&coupling](std::ptrdiff_t begin, std::ptrdiff_t end) {
                       for (std::ptrdiff_t b = begin; b < end; ++b)

@@ -190,7 +190,7 @@ std::int64_t break_burnt_springs(const Lattice& lattice, const Params& params,
     const FractureParams& fracture = params.fracture;
     if (std::isinf(fracture.threshold) || active.ash.empty()) return 0;
     if (!active.any_ash && params.numerics.skip) return 0;
-    std::vector<Index> opened = burnt_out;
+    std::vector<Index> opened;
     std::int64_t cuts = 0;
     for (const Candidate& c : find_candidates({lattice, fracture, network, active, sheet, time, {}},
                                               params.numerics.skip, counters)) {
@@ -204,7 +204,8 @@ std::int64_t break_burnt_springs(const Lattice& lattice, const Params& params,
             relieve(lattice, c.middle, fracture.relief_radius, time + fracture.relief_time, sheet);
         }
     }
-    if (fracture.release_hinges && !opened.empty()) {
+    if (fracture.release_hinges) {
+        cuts += release_hinges(lattice, burnt_out, sheet, counters);
         cuts += release_hinges(lattice, opened, sheet, counters);
     }
     counters.cuts += cuts;

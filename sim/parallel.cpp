@@ -32,7 +32,7 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::for_rows(std::ptrdiff_t rows, std::ptrdiff_t items_per_row,
-                          const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>& body) {
+                          const LoopBody<std::ptrdiff_t, std::ptrdiff_t>& body) {
     for_parts(rows, items_per_row,
               [&](int, std::ptrdiff_t begin, std::ptrdiff_t end) { body(begin, end); });
 }
@@ -42,7 +42,7 @@ int ThreadPool::parts(std::ptrdiff_t rows, std::ptrdiff_t items_per_row) const {
 }
 
 void ThreadPool::for_parts(std::ptrdiff_t rows, std::ptrdiff_t items_per_row,
-                           const std::function<void(int, std::ptrdiff_t, std::ptrdiff_t)>& body) {
+                           const LoopBody<int, std::ptrdiff_t, std::ptrdiff_t>& body) {
     if (parts(rows, items_per_row) == 1) return body(0, 0, rows);
     body_ = &body;
     rows_ = rows;

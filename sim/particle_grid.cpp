@@ -112,7 +112,8 @@ EMBER_VECTORISED void find_cells(const ParticleGrid& grid, const double* __restr
 // Counting sort. Counts stand two places late, so that after the sum begin[c + 1] is the next free
 // place of cell c, and its end once all have been placed.
 void place(std::size_t particles, std::size_t outside, bool all, ParticleGrid& grid) {
-    grid.begin.assign(outside + 3, 0);
+    grid.begin.resize(outside + 3);  // assign() would make room for no more than these
+    std::fill(grid.begin.begin(), grid.begin.end(), 0);
     for (std::size_t i = 0; i < particles; ++i)
         ++grid.begin[static_cast<std::size_t>(grid.cell_of[i]) + 2];
     for (std::size_t c = 2; c < outside + 3; ++c)

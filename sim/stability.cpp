@@ -35,8 +35,8 @@ EMBER_VECTORISED void spring_blocks(std::ptrdiff_t count, const Positions p, std
                      dz = p.z[b + i] - p.z[a + i];
         const double square = dx * dx + dy * dy + dz * dz + 1e-30;
         const double scale = p.root[a + i] + p.root[b + i], k = scale * stiffness[i];
-        const double stretch = std::abs(1.0 - rest[i] / std::sqrt(square));
-        const double across = k * (stretch < 1.0 ? stretch : 1.0);
+        const double stretch = 1.0 - rest[i] / std::sqrt(square);
+        const double across = k * (stretch > 0.0 ? stretch : 0.0);
         const double along = (k - across) / square;
         xx[i] = along * dx * dx + across;
         xy[i] = along * dx * dy;

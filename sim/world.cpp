@@ -65,7 +65,12 @@ World::~World() = default;
 
 StepReport World::step(StageObserver* observer) {
     const bool checked = params_.numerics.check;
-    if (checked) work_->before = state_;
+    if (checked) {
+        // a copy makes room for what it holds and no more, but a fire grows in nearly every tick
+        const std::size_t room = state_.fire.id.capacity();
+        for_each_array(work_->before.fire, [room](auto& array) { array.reserve(room); });
+        work_->before = state_;
+    }
     const std::int64_t from = state_.refinement;
     for (int retry = 0;; ++retry) {
         StepReport report = run_tick(

@@ -48,6 +48,15 @@ struct FireState {
     [[nodiscard]] std::size_t size() const { return id.size(); }
 };
 
+/// Calls visit(array) for every array of the particles.
+template <class Visitor>
+void for_each_array(FireState& fire, Visitor&& visit) {
+    visit(fire.position.x), visit(fire.position.y), visit(fire.position.z);
+    visit(fire.velocity.x), visit(fire.velocity.y), visit(fire.velocity.z);
+    visit(fire.temperature), visit(fire.strength), visit(fire.birth), visit(fire.death);
+    visit(fire.id);
+}
+
 /// Where mechanical energy went since t = 0 [J]. See energy.h.
 struct EnergyLedger {
     double initial = 0;                                  ///< kinetic + elastic + gravitational

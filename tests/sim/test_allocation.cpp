@@ -1,0 +1,207 @@
+// A tick works in memory that is there already. An executable of its own, because it replaces the
+// operators new and delete by ones that count; they work under sanitizers, which look at malloc.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "sim/parallel.h"
+#include "sim/world.h"
+
+namespace {
+
+std::atomic<std::int64_t> allocations = 0;
+
+void* counted(void* memory) {
+    ++allocations;
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
+void* aligned(std::size_t size, std::align_val_t alignment) {
+    const auto unit = static_cast<std::size_t>(alignment);
+    return counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+    return counted(std::malloc(size));
+}
+void* operator new[](std::size_t size) {
+    return counted(std::malloc(size));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    ++allocations;
+    return std::malloc(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+    ++allocations;
+    return std::malloc(size);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return aligned(size, alignment);
+}
+void* operator new[](std::size_t size, std::align_val_t alignment) {
+    return aligned(size, alignment);
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+
+namespace ember {
+namespace {
+
+// A sheet of 18×24 cells, lit at a corner, whose fire has passed its peak after four seconds.
+Params small_sheet() {
+    Params p;
+    p.sheet.rows = 18;
+    p.sheet.columns = 24;
+    p.sheet.width = 0.118;
+    p.sheet.height = 0.149;
+    p.lighter.x = -0.055;
+    p.lighter.y = 0.28;
+    return p;
+}
+
+// Remembers the most of everything.
+class Most {
+  public:
+    // Whether there are more particles, or is more work of any kind, than ever before.
+    bool exceeded_by(const StepCounters& counters, std::size_t particles) {
+        bool larger = false;
+        std::size_t at = 0;
+        const auto compare = [&](std::int64_t count) {
+            larger |= count > most_[at];
+            most_[at] = std::max(most_[at], count);
+            ++at;
+        };
+        compare(static_cast<std::int64_t>(particles));
+        for_each_counter(counters, [&](const char*, std::int64_t count) { compare(count); });
+        return larger;
+    }
+
+  private:
+    std::array<std::int64_t, 64> most_{};
+};
+
+// Allocations in the ticks after a warm-up without a cut or a retry in them or in the tick before,
+// in which whatever depends on the number of nodes is made anew.
+struct Outcome {
+    std::int64_t grown = 0;   // where something is more than ever before
+    std::int64_t steady = 0;  // in all others
+    int steady_ticks = 0;
+    double particles = 1;  // most there were, over those at the end of the warm-up
+};
+
+Outcome burn(const Params& params, int threads) {
+    constexpr int kWarmUp = 30, kTicks = 360;
+    World world = make_world(params, threads);
+    Outcome outcome;
+    Most most;
+    bool was_calm = true;
+    std::size_t warm = 1;
+    for (int i = 0; i < kTicks; ++i) {
+        const std::int64_t before = allocations;
+        const StepReport report = world.step();
+        const std::int64_t made = allocations - before;
+        EXPECT_TRUE(report.ok()) << report.reason;
+        const std::size_t particles = world.state().fire.size();
+        const bool calm = report.counters.cuts == 0 && report.retries == 0;
+        const bool larger = most.exceeded_by(report.counters, particles);
+        if (i < kWarmUp) warm = particles;
+        if (i >= kWarmUp && calm && was_calm) {
+            (larger ? outcome.grown : outcome.steady) += made;
+            outcome.steady_ticks += larger ? 0 : 1;
+        }
+        outcome.particles =
+            std::max(outcome.particles, static_cast<double>(particles) / static_cast<double>(warm));
+        was_calm = calm;
+    }
+    EXPECT_GT(world.state().totals.cuts, 0);
+    return outcome;
+}
+
+void expect_little(const Params& params, int threads) {
+    const Outcome outcome = burn(params, threads);
+    EXPECT_EQ(outcome.steady, 0);
+    EXPECT_GT(outcome.steady_ticks, 30);
+    // each array that grows with the fire has doubled as often as the fire: 22 of the particles
+    // now and before the tick, 12 of the grid, 5 of the coupling, 2 of burning and burnt nodes
+    constexpr double kGrowing = 41;
+    EXPECT_LE(static_cast<double>(outcome.grown),
+              kGrowing * std::ceil(std::log2(outcome.particles)));
+}
+
+TEST(Allocation, AfterAWarmUpABurningCornerAllocatesOnlyWhatDoublesAsTheFireGrows) {
+    for (const int threads : {1, 2})
+        expect_little(small_sheet(), threads);
+}
+
+TEST(Allocation, NorDoesAnyHeatSolverOrExplicitIntegratorAllocate) {
+    for (const HeatSolverKind solver : {HeatSolverKind::Rkl2, HeatSolverKind::Adi}) {
+        SCOPED_TRACE(static_cast<int>(solver));
+        Params p = small_sheet();
+        p.numerics.heat_solver = solver;
+        expect_little(p, 1);
+    }
+    // rosenbrock builds its system of equations anew in every tick
+    for (const IntegratorKind integrator :
+         {IntegratorKind::SemiImplicitEuler, IntegratorKind::Rk4, IntegratorKind::Dopri5,
+          IntegratorKind::Rkf78, IntegratorKind::AdamsBashforthMoulton}) {
+        SCOPED_TRACE(static_cast<int>(integrator));
+        Params p = small_sheet();
+        p.numerics.integrator = integrator;
+        expect_little(p, 1);
+    }
+}
+
+TEST(Allocation, ALoopAllocatesNothingWhateverItsBodyRefersTo) {
+    ThreadPool pool(3);
+    std::array<std::int64_t, 32> added{};  // too much to be kept in a std::function
+    std::array<std::int64_t, 300> sums{};
+    const std::int64_t before = allocations;
+    pool.for_rows(300, 1000, [&sums, added](std::ptrdiff_t begin, std::ptrdiff_t end) {
+        for (std::ptrdiff_t i = begin; i < end; ++i)
+            sums[static_cast<std::size_t>(i)] += 1 + added[static_cast<std::size_t>(i % 32)];
+    });
+    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(std::count(sums.begin(), sums.end(), 1), 300);
+}
+
+TEST(Allocation, IsCounted) {
+    const std::int64_t before = allocations;
+    std::vector<double> one(10);
+    one.resize(1000);
+    EXPECT_EQ(allocations, before + 2);
+}
+
+}  // namespace
+}  // namespace ember
