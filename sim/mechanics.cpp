@@ -118,7 +118,9 @@ class Finish {
 
     void add_extra(const Run run, double* f) const {
         const ExtraSprings& extra = m_.forces.extra;
-        if (extra.total.empty()) return;
+        const bool copies = run.first >= m_.lattice.site_count();
+        const std::ptrdiff_t row = run.first / m_.lattice.column_count;
+        if (!copies && extra.in_row[static_cast<std::size_t>(row)] == 0) return;
         for (std::ptrdiff_t c = 0; c < (step_ == nullptr ? 3 : 6); ++c) {
             add_to(run.count, extra.total.data() + c * node_count() + run.first,
                    f + c * m_.forces.pitch);

@@ -42,14 +42,16 @@ void OldRows::keep(Index row, const NodeMotion& motion) {
 void OldRows::copy(Index row, const NodeMotion& motion, int into) {
     const std::size_t from = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
     for (Copies& c : copies_) {
-        const Index at = below(c.first, row);
-        if (at < 0 || at >= kRows) continue;
-        double* to =
-            c.kept[into].data() + static_cast<std::size_t>(at) * static_cast<std::size_t>(columns_);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::size_t component = axis * motion.node_count + from;
-            std::copy_n(motion.x + component, columns_, to + axis * stride_);
-            std::copy_n(motion.v + component, columns_, to + (3 + axis) * stride_);
+        // around a small tube the same row comes by twice
+        for (Index at = below(c.first, row); at >= 0 && at < kRows;
+             at += closed_ ? row_count_ : kRows) {
+            double* to = c.kept[into].data() +
+                         static_cast<std::size_t>(at) * static_cast<std::size_t>(columns_);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const std::size_t component = axis * motion.node_count + from;
+                std::copy_n(motion.x + component, columns_, to + axis * stride_);
+                std::copy_n(motion.v + component, columns_, to + (3 + axis) * stride_);
+            }
         }
     }
 }

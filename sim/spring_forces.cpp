@@ -74,7 +74,8 @@ EMBER_VECTORISED double sum_in_lanes(const double* values, std::ptrdiff_t count)
     return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
 }
 
-void ExtraSprings::prepare(const SheetState& sheet, const SpringNetwork& network) {
+void ExtraSprings::prepare(const Lattice& lattice, const SheetState& sheet,
+                           const SpringNetwork& network) {
     const std::size_t count = network.extra.size();
     for (auto* array : {&stiffness, &tension, &damping, &loss})
         array->resize(count);
@@ -83,6 +84,10 @@ void ExtraSprings::prepare(const SheetState& sheet, const SpringNetwork& network
     a.resize(count);
     b.resize(count);
     total.assign(count > 0 ? 6 * sheet.mass.size() : 0, 0.0);
+    in_row.assign(static_cast<std::size_t>(lattice.row_count), 0);
+    for (const Index node : network.end_nodes) {
+        if (node < lattice.site_count()) in_row[static_cast<std::size_t>(lattice.row_of(node))] = 1;
+    }
     for (std::size_t i = 0; i < count; ++i) {
         const ExtraSpring& spring = network.extra[i];
         a[i] = spring.a;
@@ -144,7 +149,7 @@ void SpringForces::prepare(const Lattice& lattice, const SheetState& sheet,
         scratch.resize(static_cast<std::size_t>(4 * pitch));
     row_damping.assign(rows, 0.0);
     row_drag.assign(rows, 0.0);
-    extra.prepare(sheet, network);
+    extra.prepare(lattice, sheet, network);
 }
 
 RowForces::RowForces(const Lattice& lattice, const NodeMotion& motion, const OldRows* old,

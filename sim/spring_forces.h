@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -40,8 +41,10 @@ struct ExtraSprings {
     std::vector<double> total;                        ///< [N] on nodes, and friction, as SpringRow;
                                                       ///< 6N, 0 at nodes without such springs
 
+    std::vector<std::uint8_t> in_row;  ///< whether a row's sites have any, R
+
     /// Sets the constants and sizes everything for N nodes.
-    void prepare(const SheetState& sheet, const SpringNetwork& network);
+    void prepare(const Lattice& lattice, const SheetState& sheet, const SpringNetwork& network);
     /// Evaluates all springs into `total`; returns the power lost [W].
     double evaluate(const SpringNetwork& network, const NodeMotion& motion);
 };

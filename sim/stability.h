@@ -33,9 +33,10 @@ struct StabilityScratch {
 ///
 /// (Cauchy-Schwarz), so ω² is at most the largest eigenvalue of the 3×3 blocks
 /// D_i = 1/√m_i Σ_springs (1/√m_a + 1/√m_b) K, and γ² likewise with the damping. Inside
-/// a uniform sheet that is 5 % above the exact ω, with its lighter border 12 %. K = k nnᵀ + min(|k
-/// - kl/L|, k)(I - nnᵀ): stretch stiffens across the spring; compression, which buckles, counts by
-/// its size. Held nodes drop out. Valid for any mass, stretch and topology.
+/// a uniform sheet that is 5 % above the exact ω, with its lighter border 12 %. K = k nnᵀ +
+/// max(k - kl/L, 0)(I - nnᵀ): stretch stiffens across the spring; compression, which makes it
+/// buckle, only takes from ω. Held nodes drop out. Valid for any mass, stretch and topology.
+/// `scratch` may be used again; the result does not depend on the number of threads.
 [[nodiscard]] FastestMotion find_fastest_motion(const Lattice& lattice, const SheetState& sheet,
                                                 const SpringNetwork& network,
                                                 const NodeLoads& loads, ThreadPool& pool,

@@ -16,31 +16,31 @@ void lose(const LostPower& power, double duration, TickWork& work) {
     work.drag += duration * power.drag;
 }
 
-// Σ m p·(q - p) and Σ m (q - p)·(q - p) over the nodes that move [J].
+// Σ m p·(q - p) and Σ m (q - p)·(q - p) [J].
 struct Change {
     double along = 0, square = 0;
 };
 
-EMBER_VECTORISED void change_terms(std::ptrdiff_t count, const double* __restrict inverse_mass,
+EMBER_VECTORISED void change_terms(std::ptrdiff_t count, const double* __restrict mass,
                                    const double* __restrict p, const double* __restrict q,
                                    double* __restrict along, double* __restrict square) {
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const double m = inverse_mass[i] > 0.0 ? 1.0 / inverse_mass[i] : 0.0, d = q[i] - p[i];
-        along[i] = m * p[i] * d;
-        square[i] = m * d * d;
+        const double d = q[i] - p[i];
+        along[i] = mass[i] * p[i] * d;
+        square[i] = mass[i] * d * d;
     }
 }
 
-Change change_of(const NodeLoads& loads, const std::vector<double>& p,
+Change change_of(const SheetState& sheet, const std::vector<double>& p,
                  const std::vector<double>& q) {
     constexpr std::ptrdiff_t kBlock = 64;
     std::array<double, kBlock> along{}, square{};
-    const auto n = static_cast<std::ptrdiff_t>(loads.inverse_mass.size());
+    const auto n = static_cast<std::ptrdiff_t>(sheet.mass.size());
     Change sum;
     for (std::ptrdiff_t axis = 0; axis < 3; ++axis) {
         for (std::ptrdiff_t first = 0; first < n; first += kBlock) {
             const std::ptrdiff_t count = std::min(kBlock, n - first), at = axis * n + first;
-            change_terms(count, loads.inverse_mass.data() + first, p.data() + at, q.data() + at,
+            change_terms(count, sheet.mass.data() + first, p.data() + at, q.data() + at,
                          along.data(), square.data());
             sum.along += sum_in_lanes(along.data(), count);
             sum.square += sum_in_lanes(square.data(), count);
@@ -66,7 +66,7 @@ class Leapfrog {
     LostPower operator()(double kick, double drift, double lead, double mean, Change& change) {
         s_.start.v = s_.present.v;
         const LostPower lost = (*this)(kick, drift, lead, mean);
-        change = change_of(m_.loads, s_.start.v, s_.present.v);
+        change = change_of(m_.sheet, s_.start.v, s_.present.v);
         return lost;
     }
 

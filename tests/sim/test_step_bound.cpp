@@ -157,12 +157,6 @@ Rig relaxed_rig(std::uint64_t trial, bool damped) {
     return rig;
 }
 
-double energy_of(const Rig& rig) {
-    MechanicalEnergy energy;
-    add_energy(rig.lattice, rig.params.world, rig.sheet, rig.network, energy);
-    return energy.total();
-}
-
 // Most energy seen in 600 steps of h over that of the random velocities they begin with. These are
 // so small, 1e-6 m/s, that the forces are linear.
 double growth(Rig rig, IntegratorKind integrator, double h) {
@@ -171,11 +165,11 @@ double growth(Rig rig, IntegratorKind integrator, double h) {
         const Vector3 v = dice.vector(1e-6);
         rig.sheet.velocity.set(n, rig.sheet.held[n] != 0 ? Vector3(Vector3::Zero()) : v);
     }
-    const double before = energy_of(rig);
+    const double before = rig.energy().total();
     double most = 0;
     for (int run = 0; run < 60; ++run) {
         (void)rig.run(10 * h, 10, integrator);
-        const double now = energy_of(rig) / before;
+        const double now = rig.energy().total() / before;
         if (!(now < 1e12)) return 1e12;
         most = std::max(most, now);
     }
