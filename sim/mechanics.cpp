@@ -19,11 +19,22 @@ EMBER_VECTORISED void add_to(std::ptrdiff_t count, const double* __restrict adde
         sum[i] += added[i];
 }
 
-EMBER_VECTORISED void divide_by_mass(std::ptrdiff_t count, const double* __restrict force,
-                                     const double* __restrict load,
-                                     const double* __restrict inverse_mass, double* __restrict a) {
-    for (std::ptrdiff_t i = 0; i < count; ++i)
-        a[i] = (force[i] + load[i]) * inverse_mass[i];
+EMBER_VECTORISED void divide_by_mass(const NodeLoads& loads, const Run run,
+                                     const std::array<const double*, 3>& f,
+                                     const std::array<double*, 3>& a) {
+    const double *fx = f[0], *fy = f[1], *fz = f[2];
+    const double *lx = loads.force.x.data() + run.first, *ly = loads.force.y.data() + run.first,
+                 *lz = loads.force.z.data() + run.first,
+                 *inverse_mass = loads.inverse_mass.data() + run.first;
+    double* __restrict ax = a[0], * __restrict ay = a[1], * __restrict az = a[2];
+    // nothing overlaps, but there are too many arrays for the compiler to check
+#pragma GCC ivdep
+    for (std::ptrdiff_t i = 0; i < run.count; ++i) {
+        const double inverse = inverse_mass[i];
+        ax[i] = (fx[i] + lx[i]) * inverse;
+        ay[i] = (fy[i] + ly[i]) * inverse;
+        az[i] = (fz[i] + lz[i]) * inverse;
+    }
 }
 
 // Accelerations of nodes in the air, on which springs exert f, with drag
@@ -62,26 +73,33 @@ EMBER_VECTORISED void divide_in_air(const NodeLoads& loads, const Run run,
     }
 }
 
-// w <- w + kick a, x <- x + drift w, u <- w + lead a for one component; adds to `power` what the
-// springs' friction takes.
-EMBER_VECTORISED void kick_and_drift(std::ptrdiff_t count, const Leap& step, std::ptrdiff_t first,
-                                     const double* __restrict a, const double* __restrict friction,
-                                     double* __restrict power) {
-    double* __restrict w = step.w + first, * __restrict x = step.x + first, * __restrict u = step.u + first;
-    const double kick = step.kick, drift = step.drift, lead = step.lead, mean = step.mean;
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const double before = w[i], after = before + kick * a[i];
-        w[i] = after;
-        x[i] += drift * after;
-        u[i] = after + lead * a[i];
-        power[i] -= friction[i] * (before + mean * a[i]);
-    }
-}
-
 // The three components of an array whose components are `pitch` apart, from a node on.
 template <class Pointer>
 std::array<Pointer, 3> components(Pointer array, std::ptrdiff_t pitch, std::ptrdiff_t first) {
     return {array + first, array + pitch + first, array + 2 * pitch + first};
+}
+
+// w <- w + kick a, x <- x + drift w, u <- w + lead a; `power` is what the springs' friction takes.
+EMBER_VECTORISED void kick_and_drift(const Leap step, const Run run, std::ptrdiff_t n,
+                                     const std::array<const double*, 3>& a,
+                                     const std::array<const double*, 3>& friction,
+                                     double* __restrict power) {
+    const auto w = components(step.w, n, run.first), x = components(step.x, n, run.first),
+               u = components(step.u, n, run.first);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        double* __restrict wi = w[axis], * __restrict xi = x[axis], * __restrict ui = u[axis];
+        const double *ai = a[axis], *fi = friction[axis];
+        // nothing overlaps, but there are too many arrays for the compiler to check
+#pragma GCC ivdep
+        for (std::ptrdiff_t i = 0; i < run.count; ++i) {
+            const double before = wi[i], after = before + step.kick * ai[i];
+            wi[i] = after;
+            xi[i] += step.drift * after;
+            ui[i] = after + step.lead * ai[i];
+            const double lost = fi[i] * (before + step.mean * ai[i]);
+            power[i] = axis == 0 ? -lost : power[i] - lost;
+        }
+    }
 }
 
 // What becomes of the forces on a run of nodes: accelerations, or a step.
@@ -102,11 +120,9 @@ class Finish {
         const auto a = components(power + pitch, pitch, 0);
         LostPower lost;
         lost.drag = divide(run, f, a, power);
-        std::fill_n(power, run.count, 0.0);
-        for (std::ptrdiff_t axis = 0; axis < 3; ++axis) {
-            kick_and_drift(run.count, *step_, axis * node_count() + run.first,
-                           a[static_cast<std::size_t>(axis)], f + (3 + axis) * pitch, power);
-        }
+        kick_and_drift(*step_, run, node_count(),
+                       components<const double*>(power + pitch, pitch, 0),
+                       components<const double*>(f + 3 * pitch, pitch, 0), power);
         lost.damping = sum_in_lanes(power, run.count);
         return lost;
     }
@@ -138,12 +154,7 @@ class Finish {
                           leaps ? step_->mean : 0.0, a, power);
             return sum_in_lanes(power, run.count);
         }
-        const double* inverse_mass = loads.inverse_mass.data() + run.first;
-        const double* load[] = {loads.force.x.data(), loads.force.y.data(), loads.force.z.data()};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            divide_by_mass(run.count, f + static_cast<std::ptrdiff_t>(axis) * pitch,
-                           load[axis] + run.first, inverse_mass, a[axis]);
-        }
+        divide_by_mass(loads, run, components<const double*>(f, pitch, 0), a);
         return 0.0;
     }
 

@@ -168,7 +168,7 @@ double* RowForces::kept(Index row) {
 
 // Springs anchored at `row`, which on a closed sheet may be given as a row before the first.
 void RowForces::evaluate(Index row) {
-    const Index r = (row + lattice_.row_count) % lattice_.row_count;
+    const Index r = row < 0 ? row + lattice_.row_count : row;
     const OldRows::View old = old_ != nullptr ? old_->find(r) : OldRows::View{};
     const bool copied = old.motion.node_count > 0;
     const NodeMotion& from = copied ? old.motion : motion_;
