@@ -47,7 +47,7 @@ class StatsRecorder {
     /// First time [s] at which at least `share` of the nodes were burnt out, or NaN.
     [[nodiscard]] double burnt_out_time(double share) const;
 
-    /// The whole document; docs/STATS.md describes it.
+    /// The whole document: program, preset, one object per frame, totals.
     [[nodiscard]] std::string json(const World& world, const LoadedPreset& preset) const;
 
   private:

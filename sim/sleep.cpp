@@ -20,30 +20,28 @@ bool rested(const SheetState& sheet, Index row, const NumericsParams& numerics) 
 }
 
 // Rows that have rested, as have those that their springs reach.
-std::vector<bool> find_sleepers(const Lattice& lattice, const NumericsParams& numerics,
-                                const SheetState& sheet) {
-    const auto rows = static_cast<std::size_t>(lattice.row_count);
-    std::vector<bool> asleep(rows, true);
+void find_sleepers(const Lattice& lattice, const NumericsParams& numerics, const SheetState& sheet,
+                   std::vector<std::uint8_t>& asleep) {
+    asleep.assign(static_cast<std::size_t>(lattice.row_count), 1);
     bool any_awake = false;
     for (Index row = 0; row < lattice.row_count; ++row) {
         if (rested(sheet, row, numerics)) continue;
         any_awake = true;
         for (Index offset = -kReach; offset <= kReach; ++offset) {
             const Index near = lattice.row_at(row, offset);
-            if (near != kNone) asleep[static_cast<std::size_t>(near)] = false;
+            if (near != kNone) asleep[static_cast<std::size_t>(near)] = 0;
         }
     }
-    if (!any_awake) return asleep;
+    if (!any_awake) return;
     // copies are moved all together, so rows that have some keep awake with them
     for (auto n = static_cast<std::size_t>(lattice.site_count()); n < sheet.mass.size(); ++n)
-        asleep[static_cast<std::size_t>(row_of(lattice, sheet, n))] = false;
-    return asleep;
+        asleep[static_cast<std::size_t>(row_of(lattice, sheet, n))] = 0;
 }
 
-double stop(const Lattice& lattice, const std::vector<bool>& asleep, SheetState& sheet) {
+double stop(const Lattice& lattice, const std::vector<std::uint8_t>& asleep, SheetState& sheet) {
     double kinetic = 0.0;
     for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
-        if (!asleep[static_cast<std::size_t>(row_of(lattice, sheet, n))]) continue;
+        if (asleep[static_cast<std::size_t>(row_of(lattice, sheet, n))] == 0) continue;
         const Vector3 v = sheet.velocity.at(n);
         if (v.isZero(0.0)) continue;
         kinetic += 0.5 * sheet.mass[n] * v.squaredNorm();
@@ -55,26 +53,27 @@ double stop(const Lattice& lattice, const std::vector<bool>& asleep, SheetState&
 }  // namespace
 
 double find_awake_rows(const Lattice& lattice, const NumericsParams& numerics,
-                       const NodeLoads& loads, SheetState& sheet, std::vector<RowSpan>& awake,
+                       const NodeLoads& loads, SheetState& sheet, AwakeRows& awake,
                        StepCounters& counters) {
-    awake.assign(1, {0, lattice.row_count});
+    std::vector<RowSpan>& spans = awake.spans;
+    spans.assign(1, {0, lattice.row_count});
     if (!(numerics.sleep_speed > 0)) return 0.0;
     for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
         if (sheet.phase[n] != Phase::Burning && !pushed(loads, n)) continue;
         sheet.quiet_ticks[static_cast<std::size_t>(row_of(lattice, sheet, n))] = 0;
     }
-    const std::vector<bool> asleep = find_sleepers(lattice, numerics, sheet);
-    awake.clear();
+    find_sleepers(lattice, numerics, sheet, awake.asleep);
+    spans.clear();
     for (Index row = 0; row < lattice.row_count; ++row) {
-        if (asleep[static_cast<std::size_t>(row)]) {
+        if (awake.asleep[static_cast<std::size_t>(row)] != 0) {
             ++counters.rows_asleep;
-        } else if (!awake.empty() && awake.back().end == row) {
-            ++awake.back().end;
+        } else if (!spans.empty() && spans.back().end == row) {
+            ++spans.back().end;
         } else {
-            awake.push_back({row, row + 1});
+            spans.push_back({row, row + 1});
         }
     }
-    return counters.rows_asleep > 0 ? stop(lattice, asleep, sheet) : 0.0;
+    return counters.rows_asleep > 0 ? stop(lattice, awake.asleep, sheet) : 0.0;
 }
 
 void count_quiet_ticks(const Lattice& lattice, const NumericsParams& numerics, SheetState& sheet) {

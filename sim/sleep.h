@@ -9,6 +9,7 @@
 // sleep_speed = 0 nothing ever sleeps and no bit changes.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/mechanics.h"
@@ -19,11 +20,17 @@ namespace ember {
 
 inline constexpr double kQuietTime = 0.25;  // [s]
 
+/// The rows that are moved in a tick.
+struct AwakeRows {
+    std::vector<RowSpan> spans;
+    std::vector<std::uint8_t> asleep;  ///< scratch: one flag per row
+};
+
 /// Finds the spans of rows that are awake, forgets the rest of rows that something has reached,
 /// and stops those that fall asleep. Returns their kinetic energy [J], which is lost.
 /// Rows with copies of nodes sleep only when the whole sheet does.
 double find_awake_rows(const Lattice& lattice, const NumericsParams& numerics,
-                       const NodeLoads& loads, SheetState& sheet, std::vector<RowSpan>& awake,
+                       const NodeLoads& loads, SheetState& sheet, AwakeRows& awake,
                        StepCounters& counters);
 
 /// Counts the ticks that each row has been quiet, after the sheet has moved.

@@ -92,7 +92,7 @@ bool run_springs(const Tick& t, StepReport& report) {
         gather_loads(t.params, sheet, t.work.fire[s], w.loads);
         t.state.energy.loss_sleep +=
             find_awake_rows(w.lattice, t.params.numerics, w.loads, sheet, w.awake, report.counters);
-        if (w.awake.empty()) continue;
+        if (w.awake.spans.empty()) continue;
         const StepControl control = plan_steps(t, sheet, w);
         report.integrator = control.integrator;
         if (control.substeps == 0) {
@@ -102,7 +102,7 @@ bool run_springs(const Tick& t, StepReport& report) {
         w.forces.prepare(w.lattice, sheet, w.network, t.pool);
         const TickWork work =
             integrate({w.lattice, sheet, w.network, w.loads, w.forces, w.old_rows, t.pool,
-                       spring_kernel(t.params.numerics.arithmetic), w.awake},
+                       spring_kernel(t.params.numerics.arithmetic), w.awake.spans},
                       sheet, control, w.integration, report.counters);
         if (work.failure != nullptr) {
             report.reason = work.failure;

@@ -9,6 +9,7 @@
 #include "sim/heat.h"
 #include "sim/integrator.h"
 #include "sim/lattice.h"
+#include "sim/sleep.h"
 #include "sim/spring_forces.h"
 #include "sim/spring_network.h"
 #include "sim/stability.h"
@@ -21,7 +22,7 @@ struct SheetWorkspace {
     Lattice lattice;        ///< never changes
     SpringNetwork network;  ///< follows the sheet's topology and masses
     NodeLoads loads;
-    std::vector<RowSpan> awake;  ///< rows that are moved in this tick
+    AwakeRows awake;  ///< rows that are moved in this tick
     SpringForces forces;
     OldRows old_rows;
     StabilityScratch stability;
