@@ -26,7 +26,7 @@ Side make_side(const SheetState& sheet, Index first, Index last, int a, int b, b
 }
 
 bool glued(const SheetState& sheet, Index site, int direction) {
-    return (sheet.glue[static_cast<std::size_t>(site)] >> direction & 1u) != 0;
+    return (sheet.glue[static_cast<std::size_t>(site)] >> direction & 1) != 0;
 }
 
 // The sides of a slot: of the line springs the strips on either side, of a diagonal its own quad.

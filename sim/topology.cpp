@@ -110,7 +110,7 @@ Index release_hinge(const Lattice& lattice, SheetState& sheet, Index site) {
         const Index other = lattice.neighbour(site, d);
         if (other == kNone) continue;
         const bool held_there =
-            (sheet.glue[static_cast<std::size_t>(other)] >> ((d + 2) % 4) & 1u) != 0;
+            (sheet.glue[static_cast<std::size_t>(other)] >> ((d + 2) % 4) & 1) != 0;
         if (held_there) strong |= glue & (1u << d);
     }
     const auto now = fan_parts(lattice, site, glue), then = fan_parts(lattice, site, strong);
