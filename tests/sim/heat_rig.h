@@ -77,4 +77,24 @@ inline Params tube(int rows, int columns) {
     return p;
 }
 
+/// A manufactured solution: conducts for 1 s in `steps`, each between two halves of a source.
+/// exact(row, column, time) is the solution [K]; add_source(from, to) adds the source's integral.
+/// Returns the RMS error at the end [K].
+template <class Exact, class AddSource>
+double error_after_a_second(HeatRig& rig, int steps, Exact&& exact, AddSource&& add_source) {
+    rig.set([&](Index r, Index c) { return exact(r, c, 0.0); });
+    const double dt = 1.0 / steps;
+    for (int i = 0; i < steps; ++i) {
+        add_source(i * dt, (i + 0.5) * dt);
+        rig.conduct(dt);
+        add_source((i + 0.5) * dt, (i + 1) * dt);
+    }
+    double sum = 0;
+    for (Index r = 0; r < rig.lattice.row_count; ++r) {
+        for (Index c = 0; c < rig.lattice.column_count; ++c)
+            sum += std::pow(rig.sheet.temperature[rig.site(r, c)] - exact(r, c, 1.0), 2);
+    }
+    return std::sqrt(sum / rig.lattice.site_count());
+}
+
 }  // namespace ember::test

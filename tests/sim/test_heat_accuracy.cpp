@@ -188,20 +188,7 @@ double manufactured_error(HeatSolverKind solver, int refined, int steps) {
             return rig.sheet.temperature[rig.site(r, c)] + source(r, c) * integral;
         });
     };
-    rig.set([&](Index r, Index c) { return exact(r, c, 0); });
-    constexpr double kTime = 1.0;
-    const double dt = kTime / steps;
-    for (int i = 0; i < steps; ++i) {
-        add_source(i * dt, (i + 0.5) * dt);
-        rig.conduct(dt);
-        add_source((i + 0.5) * dt, (i + 1) * dt);
-    }
-    double sum = 0;
-    for (Index r = 0; r < rig.lattice.row_count; ++r) {
-        for (Index c = 0; c < rig.lattice.column_count; ++c)
-            sum += std::pow(rig.sheet.temperature[rig.site(r, c)] - exact(r, c, kTime), 2);
-    }
-    return std::sqrt(sum / rig.lattice.site_count());
+    return error_after_a_second(rig, steps, exact, add_source);
 }
 
 TEST(HeatAccuracy, APolynomialSolutionIsApproachedToSecondOrder) {

@@ -90,9 +90,6 @@ double manufactured_error(HeatSolverKind solver, int cells, int steps) {
     const auto exact = [&](Index r, Index c, double t) {
         return 700.0 + 100.0 * cosine(rig, 1, 2, r, c) * std::exp(-t);
     };
-    rig.set([&](Index r, Index c) { return exact(r, c, 0); });
-    constexpr double kTime = 1.0;
-    const double dt = kTime / steps;
     const auto add_source = [&](double from, double to) {  // s = (rate - 1) (u - T0), integrated
         const double integral = (rate - 1) * (std::exp(-from) - std::exp(-to));
         rig.set([&](Index r, Index c) {
@@ -100,17 +97,7 @@ double manufactured_error(HeatSolverKind solver, int cells, int steps) {
                    100.0 * cosine(rig, 1, 2, r, c) * integral;
         });
     };
-    for (int i = 0; i < steps; ++i) {
-        add_source(i * dt, (i + 0.5) * dt);
-        rig.conduct(dt);
-        add_source((i + 0.5) * dt, (i + 1) * dt);
-    }
-    double sum = 0;
-    for (Index r = 0; r < rig.lattice.row_count; ++r) {
-        for (Index c = 0; c < rig.lattice.column_count; ++c)
-            sum += std::pow(rig.sheet.temperature[rig.site(r, c)] - exact(r, c, kTime), 2);
-    }
-    return std::sqrt(sum / rig.lattice.site_count());
+    return error_after_a_second(rig, steps, exact, add_source);
 }
 
 TEST(HeatSolvers, ApproachAManufacturedSolutionToSecondOrderWhenGridAndStepAreRefined) {
