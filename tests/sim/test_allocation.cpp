@@ -13,6 +13,7 @@
 
 #include "sim/parallel.h"
 #include "sim/world.h"
+#include "tests/sim/small_sheet.h"
 
 namespace {
 
@@ -79,17 +80,7 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
 namespace ember {
 namespace {
 
-// A sheet of 18×24 cells, lit at a corner, whose fire has passed its peak after four seconds.
-Params small_sheet() {
-    Params p;
-    p.sheet.rows = 18;
-    p.sheet.columns = 24;
-    p.sheet.width = 0.118;
-    p.sheet.height = 0.149;
-    p.lighter.x = -0.055;
-    p.lighter.y = 0.28;
-    return p;
-}
+using test::small_sheet;
 
 // Remembers the most of everything.
 class Most {

@@ -3,19 +3,13 @@
 
 #include "rig.h"
 #include "sim/world.h"
+#include "tests/sim/small_sheet.h"
 
 namespace ember {
 namespace {
 
-// A sheet of 18×24 cells, lit at a corner; burns, shrinks and cracks within three seconds.
 Params burning_sheet(bool skip) {
-    Params p;
-    p.sheet.rows = 18;
-    p.sheet.columns = 24;
-    p.sheet.width = 0.118;
-    p.sheet.height = 0.149;
-    p.lighter.x = -0.055;
-    p.lighter.y = 0.28;
+    Params p = test::small_sheet();
     p.numerics.skip = skip;
     return p;
 }
