@@ -6,7 +6,7 @@ namespace ember {
 namespace {
 
 // Accelerations that are kept at once: stages, and past steps of the multistep method.
-constexpr std::size_t kMostAccelerations = kMostStages + 7;
+constexpr std::size_t kMostAccelerations = kMostStages + kAdamsPast + 1;
 
 std::size_t accelerations_of(IntegratorKind integrator) {
     switch (integrator) {

@@ -34,7 +34,7 @@ struct IntegratorScratch {
     Motion start, present, stage;
     std::vector<double> ahead;                       ///< [m/s] of leapfrog schemes, as Motion::v
     std::vector<std::vector<double>> accelerations;  ///< [m/s²] of stages or past steps, 3N each
-    std::vector<std::vector<double>> velocities;     ///< [m/s] of past steps, 3N + padding each
+    std::vector<std::vector<double>> velocities;     ///< [m/s] stages of rosenbrock, 3N + padding
     std::vector<double> error, zeros;                ///< 3N
 };
 
@@ -52,7 +52,7 @@ struct IntegratorScratch {
 ///   rk4                     4      4
 ///   dopri5                  5(4)   6   Dormand and Prince 1980, error control
 ///   rkf78                   8(7)   13  Fehlberg 1968, error control
-///   adams_bashforth_moulton 6      2   PECE, started by dopri5 in every tick, since the fire,
+///   adams_bashforth_moulton 7      2   PECE, started by rkf78 in every tick, since the fire,
 ///                                      the cuts and the masses change between ticks
 ///   rosenbrock              2      3   ROS2 (Verwer et al. 1999), linearly implicit, L-stable
 ///

@@ -255,7 +255,7 @@ double stable_step(IntegratorKind integrator, const FastestMotion& fastest) {
         case IntegratorKind::Rkf78:
             return 2.38 / rate;
         case IntegratorKind::AdamsBashforthMoulton:
-            return 0.5 / rate;
+            return 0.75 / rate;
         case IntegratorKind::Auto:
         case IntegratorKind::Rk4:
             return 2.6 / rate;  // 2.83 holds only undamped

@@ -16,6 +16,8 @@ void velocity_verlet(const Mechanics& mechanics, const StepControl& control,
 /// With error control where the tableau has an estimate and the tolerance is finite.
 void runge_kutta(const Tableau& tableau, const Mechanics& mechanics, const StepControl& control,
                  IntegratorScratch& scratch, TickWork& work, StepCounters& counters);
+/// Accelerations of the present and the past that adams_bashforth_moulton() keeps.
+constexpr std::size_t kAdamsPast = 6;
 void adams_bashforth_moulton(const Mechanics& mechanics, const StepControl& control,
                              IntegratorScratch& scratch, TickWork& work, StepCounters& counters);
 void rosenbrock(const Mechanics& mechanics, const StepControl& control, IntegratorScratch& scratch,
