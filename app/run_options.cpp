@@ -110,11 +110,8 @@ World build_world(const LoadedPreset& preset, int threads) {
 
 std::string divergence_text(const StepReport& report) {
     std::ostringstream out;
-    out << "simulation stopped at t = " << report.time << " s: stage "
-        << kStageNames[static_cast<std::size_t>(report.stage)];
-    if (report.sheet != kNone) out << ", sheet " << report.sheet;
-    if (report.node != kNone) out << ", node " << report.node;
-    out << ": " << report.reason << " (after " << report.retries << " retries with half the step)";
+    out << "simulation stopped at t = " << report.time << " s: " << cause_text(report) << " (after "
+        << report.retries << " retries with half the step)";
     return out.str();
 }
 

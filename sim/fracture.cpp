@@ -100,7 +100,7 @@ struct Search {
         const Index count = range.last - range.first + 1;
         if (count_suspects(row, count, least, time) == 0) return;
         for (Index i = 0; i < count; ++i) {
-            if (network.weight[static_cast<std::size_t>(slot + i)] != 0)
+            if (network.weight[static_cast<std::size_t>(slot) + static_cast<std::size_t>(i)] != 0)
                 consider(a + i, b + i, slot + i);
         }
     }

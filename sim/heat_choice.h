@@ -14,11 +14,11 @@ struct HeatChoice {
 
 /// The solver for dt [s]: the one asked for, or for Auto the cheapest by
 ///
-///     cost = steps × stages per step × cost of a stage (measured, that of FTCS being 1)
+///     cost = steps × cost of a step (measured, that of FTCS being 1)
 ///
-/// Chosen by Auto, RKL2 and ADI take as many steps as keep the error of the slowly varying modes
-/// (up to four half waves in each direction) below that of FTCS at its limit. Depends on lattice,
-/// topology and dt only, never on the temperatures.
+/// which is FTCS or ADI: RKL2 is never the cheapest. Chosen by Auto, ADI takes as many steps as
+/// keep the error of the slowly varying modes (up to four half waves in each direction) below that
+/// of FTCS at its limit; it may err more for modes shorter than eight half waves. Depends on lattice, topology and dt only, never on the temperatures.
 [[nodiscard]] HeatChoice choose_heat_solver(const Conduction& op, HeatSolverKind wanted, double dt);
 
 }  // namespace ember

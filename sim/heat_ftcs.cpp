@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/heat_row.h"
 #include "sim/heat_solver.h"
 #include "sim/vectorise.h"
 
@@ -9,67 +10,37 @@ namespace {
 
 constexpr std::int64_t kMostInOneGo = 8;  // steps in which heat crosses at most one tile
 
-// Neighbouring rows of temperatures; what one row of a step reads.
-struct Rows {
-    const double* above;
-    const double* here;
-    const double* below;
-};
-
 EMBER_VECTORISED
-void even_part(const Rows& t, double* __restrict out, Index first, Index last, double main,
+void even_part(const HeatRow& row, double* __restrict out, Index first, Index last, double main,
                double cross) {
-    for (Index c = first; c < last; ++c) {
-        const double x = t.here[c];
-        const double along = (t.here[c - 1] - x) + (t.here[c + 1] - x);
-        const double across = (t.above[c] - x) + (t.below[c] - x);
-        out[c] = x + (main * along + cross * across);
-    }
+    for (Index c = first; c < last; ++c)
+        out[c] = row.here[c] + row.even_flow(c, main, cross);
 }
-
-// Conductances of one row.
-struct Edges {
-    const double* main;
-    const double* above;
-    const double* below;
-    const double* per_capacity;
-};
 
 EMBER_VECTORISED
-void uneven_part(const Rows& t, const Edges& g, double* __restrict out, Index first, Index last,
-                 double h) {
-    for (Index c = first; c < last; ++c) {
-        const double x = t.here[c];
-        const double along = g.main[c - 1] * (t.here[c - 1] - x) + g.main[c] * (t.here[c + 1] - x);
-        const double across = g.above[c] * (t.above[c] - x) + g.below[c] * (t.below[c] - x);
-        out[c] = x + h * g.per_capacity[c] * (along + across);
-    }
-}
-
-void end_column(const Rows& t, const Edges& g, double* out, Index c, Index inner, double h) {
-    const double x = t.here[c];
-    const double along = g.main[std::min(c, inner)] * (t.here[inner] - x);
-    const double across = g.above[c] * (t.above[c] - x) + g.below[c] * (t.below[c] - x);
-    out[c] = x + h * g.per_capacity[c] * (along + across);
+void uneven_part(const HeatRow& row, double* __restrict out, Index first, Index last, double h) {
+    for (Index c = first; c < last; ++c)
+        out[c] = row.here[c] + h * row.per_capacity[c] * row.flow(c);
 }
 
 void one_row(const Conduction& op, const HeatTiles& tiles, const double* from, double* to,
              Index row, double h) {
-    const std::size_t at = op.row_begin(row);
-    const Rows t = {from + op.row_begin(op.row_above(row)), from + at,
-                    from + op.row_begin(op.row_below(row))};
-    const Edges g = {&op.main[at], op.cross_above(row), &op.cross[at], &op.per_capacity[at]};
+    const HeatRow t(op, from, row);
+    double* out = to + op.row_begin(row);
+    const auto end = [&](Index c, Index inner) {
+        out[c] = t.here[c] + h * t.per_capacity[c] * t.end_flow(c, inner);
+    };
     const auto r = static_cast<std::size_t>(row);
     for (std::size_t s = tiles.begin[r]; s < tiles.begin[r + 1]; ++s) {
         const HeatSegment& segment = tiles.segments[s];
         const Index first = std::max(1, segment.first);
         const Index last = std::min(op.column_count - 1, segment.last);
-        if (segment.first == 0) end_column(t, g, to + at, 0, 1, h);
-        if (segment.last == op.column_count) end_column(t, g, to + at, last, last - 1, h);
+        if (segment.first == 0) end(0, 1);
+        if (segment.last == op.column_count) end(last, last - 1);
         if (segment.even) {
-            even_part(t, to + at, first, last, h * op.even_main, h * op.even_cross);
+            even_part(t, out, first, last, h * op.even_main, h * op.even_cross);
         } else {
-            uneven_part(t, g, to + at, first, last, h);
+            uneven_part(t, out, first, last, h);
         }
     }
 }

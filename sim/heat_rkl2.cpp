@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/heat_row.h"
 #include "sim/heat_solver.h"
 #include "sim/vectorise.h"
 
@@ -27,49 +28,25 @@ StageWeights weights(std::int64_t j, std::int64_t stages, double h) {
     return {mu, nu, mu * w1 * h, -(1.0 - b(j - 1)) * mu * w1 * h};
 }
 
-struct Rows {
-    const double* above;
-    const double* here;
-    const double* below;
-};
-
 // dT/dt of one row, columns first..last-1, none of them at an end.
 EMBER_VECTORISED
-void even_rate(const Rows& t, double* __restrict out, Index first, Index last, double main,
+void even_rate(const HeatRow& row, double* __restrict out, Index first, Index last, double main,
                double cross) {
-    for (Index c = first; c < last; ++c) {
-        const double x = t.here[c];
-        const double along = (t.here[c - 1] - x) + (t.here[c + 1] - x);
-        const double across = (t.above[c] - x) + (t.below[c] - x);
-        out[c] = main * along + cross * across;
-    }
+    for (Index c = first; c < last; ++c)
+        out[c] = row.even_flow(c, main, cross);
 }
 
 EMBER_VECTORISED
-void uneven_rate(const Rows& t, const double* main, const double* above, const double* below,
-                 const double* per_capacity, double* __restrict out, Index first, Index last) {
-    for (Index c = first; c < last; ++c) {
-        const double x = t.here[c];
-        const double along = main[c - 1] * (t.here[c - 1] - x) + main[c] * (t.here[c + 1] - x);
-        const double across = above[c] * (t.above[c] - x) + below[c] * (t.below[c] - x);
-        out[c] = per_capacity[c] * (along + across);
-    }
+void uneven_rate(const HeatRow& row, double* __restrict out, Index first, Index last) {
+    for (Index c = first; c < last; ++c)
+        out[c] = row.per_capacity[c] * row.flow(c);
 }
 
 void rate_of_segment(const Conduction& op, const double* from, Index row,
                      const HeatSegment& segment, double* out) {
-    const std::size_t at = op.row_begin(row);
-    const Rows t = {from + op.row_begin(op.row_above(row)), from + at,
-                    from + op.row_begin(op.row_below(row))};
-    const double* main = &op.main[at];
-    const double* above = op.cross_above(row);
-    const double* below = &op.cross[at];
-    const double* per = &op.per_capacity[at];
+    const HeatRow t(op, from, row);
     const auto end = [&](Index c, Index inner) {
-        const double x = t.here[c];
-        const double along = main[std::min(c, inner)] * (t.here[inner] - x);
-        const double across = above[c] * (t.above[c] - x) + below[c] * (t.below[c] - x);
-        out[c] = per[c] * (along + across);
+        out[c] = t.per_capacity[c] * t.end_flow(c, inner);
     };
     const Index first = std::max(1, segment.first);
     const Index last = std::min(op.column_count - 1, segment.last);
@@ -78,7 +55,7 @@ void rate_of_segment(const Conduction& op, const double* from, Index row,
     if (segment.even) {
         even_rate(t, out, first, last, op.even_main, op.even_cross);
     } else {
-        uneven_rate(t, main, above, below, per, out, first, last);
+        uneven_rate(t, out, first, last);
     }
 }
 

@@ -91,4 +91,13 @@ struct StepReport {
     [[nodiscard]] bool ok() const { return status == StepStatus::Ok; }
 };
 
+/// Where and why the numbers went wrong: "stage heat, sheet 0, node 7: reason".
+[[nodiscard]] inline std::string cause_text(const StepReport& report) {
+    std::string text = "stage ";
+    text += kStageNames[static_cast<std::size_t>(report.stage)];
+    if (report.sheet != kNone) text += ", sheet " + std::to_string(report.sheet);
+    if (report.node != kNone) text += ", node " + std::to_string(report.node);
+    return text + ": " + report.reason;
+}
+
 }  // namespace ember

@@ -37,10 +37,8 @@ bool same(const Params& a, const Params& b) {
 
 std::string failure_text(const StepReport& report) {
     std::ostringstream text;
-    text << "Stopped at " << report.time << " s in stage "
-         << kStageNames[static_cast<std::size_t>(report.stage)];
-    if (report.node != kNone) text << ", sheet " << report.sheet << ", node " << report.node;
-    text << ": " << report.reason << ". Change a parameter or restart.";
+    text << "Stopped at " << report.time << " s in " << cause_text(report)
+         << ". Change a parameter or restart.";
     return text.str();
 }
 
