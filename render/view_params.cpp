@@ -100,7 +100,7 @@ constexpr ParamInfo kRows[] = {
                                             "Radius of a fire sprite at birth temperature."),
     real<&R::look, &LookParams::flame_brightness>("look.flame_brightness", unit::one, {0, 100},
                                                   {0.2, 4}, Linear, "Brightness of flames."),
-    real<&R::shot, &ShotParams::duration>("shot.duration", unit::second, {0, 3600}, {1, 30}, Linear,
+    real<&R::shot, &ShotParams::duration>("shot.duration", unit::second, {0, 3600}, {1, 60}, Linear,
                                           "Length of the shot that render draws."),
     real<&R::shot, &ShotParams::fps>("shot.fps", unit::hertz, {0.1, 1000}, {24, 60}, Linear,
                                      "Pictures per second of the shot."),

@@ -308,7 +308,7 @@ constexpr ParamInfo kRows[] = {
         "fire.emission", "", unit::per_second_square_metre, {0, 1e8}, {1e5, 3e6}, Logarithmic, Live,
         {"Fire particles born per second and square metre of burning paper.", "Our choice"}),
     real<&P::fire, &FireParams::heating>(
-        "fire.heating", "A_0", unit::kelvin_per_second, {0, 1e7}, {500, 2e4}, Logarithmic, Live,
+        "fire.heating", "A_0", unit::kelvin_per_second, {0, 1e7}, {500, 3e4}, Logarithmic, Live,
         {"Heating by one particle at its centre, for 80 g/m^2 and c_s 2e-4.", "Our choice"}),
     real<&P::fire, &FireParams::heating_time>(
         "fire.heating_time", "", unit::second, {1e-3, 1e6}, {0.02, 1}, Logarithmic, Live,

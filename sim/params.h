@@ -93,7 +93,7 @@ struct FireParams {
     double heating_time = 0.03;        // [s] after birth during which a particle heats
     double heating_limit = 2e4;        // [K/s] per node
     double grammage_exponent = 0.5;    // [1]
-    double stability_exponent = 0.25;  // [1]
+    double stability_exponent = 0.35;  // [1]
     double absorption = 10.0;          // [1/s] how fast a particle loses what it gives
     double emission = 7.4e5;           // [1/(s m^2)] of burning paper
     double node_strength = 1.0;        // [1] of particles from burning nodes
