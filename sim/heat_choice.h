@@ -18,7 +18,8 @@ struct HeatChoice {
 ///
 /// which is FTCS or ADI: RKL2 is never the cheapest. Chosen by Auto, ADI takes as many steps as
 /// keep the error of the slowly varying modes (up to four half waves in each direction) below that
-/// of FTCS at its limit; it may err more for modes shorter than eight half waves. Depends on lattice, topology and dt only, never on the temperatures.
+/// of FTCS at its limit; it may err more for modes shorter than eight half waves. Depends on
+/// lattice, topology and dt only, never on the temperatures.
 [[nodiscard]] HeatChoice choose_heat_solver(const Conduction& op, HeatSolverKind wanted, double dt);
 
 }  // namespace ember
