@@ -8,7 +8,7 @@
 
 namespace ember {
 
-inline constexpr int kMostFlameLights = 8;
+inline constexpr int kMostFlameLights = 16;
 
 /// xyz: place [m]; w: strength [1].
 struct FlameLights {
@@ -16,9 +16,14 @@ struct FlameLights {
     int count = 0;
 };
 
-/// Gathers particles by coarse cells of the world; the strongest cells become lights, each at the
-/// centre of its particles. The same fire gives the same lights, in the same order.
+/// Shares particles out to the corners of coarse cells of the world; the strongest corners become
+/// lights, each at the centre of what it has got. Continuous in time: a light comes and goes with
+/// strength 0. The lights together are as strong as all particles. The same fire gives the same
+/// lights, in the same order.
 [[nodiscard]] FlameLights gather_flame_lights(const WorldView& world);
+
+/// Share of its life that a particle has lived, 0 .. 1.
+[[nodiscard]] double particle_life(const WorldView& world, std::size_t particle);
 
 /// Heat u of a particle: 1 at birth temperature, 0 at ambient.
 [[nodiscard]] double particle_heat(const WorldView& world, std::size_t particle);

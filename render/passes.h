@@ -7,10 +7,12 @@
 #include "render/camera.h"
 #include "render/flame_lights.h"
 #include "render/gl_objects.h"
+#include "render/lighting.h"
 #include "render/palette.h"
 #include "render/renderer.h"
 #include "render/shader_library.h"
 #include "render/sheet_vertices.h"
+#include "render/stage_bounds.h"
 
 namespace ember {
 
@@ -20,28 +22,60 @@ struct PassInput {
     const RenderParams& params;
     const Camera& camera;
     const FlameLights& lights;
+    const Lighting& lighting;
+    const Bounds& bounds;                      ///< of the paper
+    const Eigen::Matrix4f& shadow_from_world;  ///< to 0 .. 1 in the shadow map
+    const Texture& shadow;                     ///< all 1 where there is none
     int width, height;
 };
 
-/// Backdrop, ground and lighter.
-class StagePass {
+/// What is behind everything.
+class BackdropPass {
   public:
     void draw(const PassInput& in);
 
   private:
-    Program backdrop_{"screen", "backdrop"}, solid_{"solid"};
-    VertexArray empty_, shape_;
+    Program program_{"screen", "backdrop"};
+    VertexArray empty_;
+};
+
+/// The floor, with the shadow of the paper and the light of the flames on it.
+class GroundPass {
+  public:
+    GroundPass();
+    void draw(const PassInput& in);
+
+  private:
+    Program program_{"ground"};
+    VertexArray array_;
+    Buffer vertices_, indices_;
+    GLsizei count_ = 0;
+};
+
+/// The lighter's nozzle.
+class LighterPass {
+  public:
+    void draw(const PassInput& in);
+
+  private:
+    Program program_{"solid"};
+    VertexArray array_;
     Buffer vertices_;
+    Vector3 uploaded_ = Vector3::Zero();  ///< [m] where the buffer has it
+    GLsizei count_ = 0;
 };
 
 /// The sheets as lit quads, or coloured by a quantity.
 class SheetPass {
   public:
     SheetPass();
-    [[nodiscard]] bool draw(const PassInput& in);  ///< whether there was anything to draw
+    /// Brings the buffers up to date; whether there is anything to draw.
+    [[nodiscard]] bool prepare(const WorldView& world);
+    void draw(const PassInput& in);
+    /// Draws the triangles with the program in use; only positions are of interest.
+    void draw_triangles() const;
 
   private:
-    void upload_sheets(const WorldView& world);
     Program program_{"sheet"};
     Texture albedo_, glow_, heat_, mass_, fibre_;
     VertexArray array_;
@@ -49,6 +83,24 @@ class SheetPass {
     std::vector<SheetVertex> packed_;
     std::vector<std::uint32_t> triangles_;
     std::vector<std::uint64_t> uploaded_;  ///< topology that the index buffer holds
+};
+
+/// What the studio lamp sees of the paper, blurred, so that shadows are soft.
+class ShadowPass {
+  public:
+    ShadowPass();
+    /// Draws `sheets`, which must be prepared. Leaves the map in texture().
+    void draw(const PassInput& in, const SheetPass& sheets, int size);
+    [[nodiscard]] const Texture& texture() const { return map_; }
+    [[nodiscard]] const Texture& none() const { return none_; }  ///< no shadow anywhere
+
+  private:
+    Program program_{"shadow"}, blur_{"screen", "blur"};
+    VertexArray empty_;
+    Texture map_, spare_, none_;
+    Renderbuffer depth_;
+    Framebuffer target_, spare_target_;
+    int size_ = 0;
 };
 
 /// Springs as lines by kind (figures 4 and 6 of the paper).

@@ -16,6 +16,8 @@ void load_gl(GlLoader loader) {
     }
 }
 
+constexpr int kShadowSize = 384;  // [pixels] the map is blurred anyway
+
 // Loads entry points before the passes create their objects.
 struct LoadedGl {
     explicit LoadedGl(GlLoader loader) { load_gl(loader); }
@@ -25,8 +27,11 @@ struct LoadedGl {
 
 struct Renderer::Passes {
     LoadedGl gl;
-    StagePass stage;
+    BackdropPass backdrop;
+    GroundPass ground;
+    LighterPass lighter;
     SheetPass sheets;
+    ShadowPass shadow;
     LatticePass lattice;
     FirePass fire;
     FilmPass film;
@@ -35,6 +40,12 @@ struct Renderer::Passes {
     PassCounters counters;
 
     Passes(GlLoader loader, int samples) : gl(loader), film(samples) {}
+
+    template <class Pass>
+    static void run(int& counter, const Pass& pass) {
+        pass();
+        ++counter;
+    }
 };
 
 Renderer::Renderer(GlLoader loader, int samples)
@@ -43,28 +54,34 @@ Renderer::~Renderer() = default;
 
 void Renderer::draw(const Frame& frame, const RenderParams& params, int width, int height,
                     unsigned target) {
-    const Camera camera = make_camera(params.camera, width, height);
-    const FlameLights lights = gather_flame_lights(*frame.world);
-    const PassInput in{frame, params, camera, lights, width, height};
     Passes& p = *passes_;
+    const WorldView& world = *frame.world;
+    const Camera camera = make_camera(params.camera, width, height);
+    const FlameLights lights = gather_flame_lights(world);
+    const Lighting lighting = lighting_of(params.look.lighting);
+    const Bounds bounds = bounds_of(world);
+    const Eigen::Matrix4f to_shadow = shadow_from_world(bounds, lighting.key_direction);
+    const bool beauty = params.view.mode == ViewMode::Beauty;
+    const bool lattice = params.view.mode == ViewMode::Lattice;
+    const bool paper = !lattice && p.sheets.prepare(world);
+    const bool shadow = paper && beauty && params.look.key_light > 0;
+    const PassInput in{frame,    params, camera,    lights,
+                       lighting, bounds, to_shadow, shadow ? p.shadow.texture() : p.shadow.none(),
+                       width,    height};
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
+    if (shadow) p.run(p.counters.shadow, [&] { p.shadow.draw(in, p.sheets, kShadowSize); });
     p.film.begin(width, height);
-    p.stage.draw(in);
-    if (params.view.mode == ViewMode::Lattice) {
-        p.counters.lattice += p.lattice.draw(in) ? 1 : 0;
-    } else {
-        p.counters.sheets += p.sheets.draw(in) ? 1 : 0;
-    }
+    p.backdrop.draw(in);
+    if (params.view.ground && world.ground) p.run(p.counters.ground, [&] { p.ground.draw(in); });
+    if (world.lighter_lit) p.run(p.counters.lighter, [&] { p.lighter.draw(in); });
+    if (lattice) p.counters.lattice += p.lattice.draw(in) ? 1 : 0;
+    if (paper) p.run(p.counters.sheets, [&] { p.sheets.draw(in); });
     p.film.resolve();
-    const bool fire = params.view.flames && params.view.mode == ViewMode::Beauty &&
-                      !frame.world->particles.x.empty();
-    if (fire) {
-        p.fire.draw(in, p.film.depth());
-        ++p.counters.fire;
-    }
+    const bool fire = params.view.flames && beauty && !world.particles.x.empty();
+    if (fire) p.run(p.counters.fire, [&] { p.fire.draw(in, p.film.depth()); });
     p.film.develop(in, fire ? &p.fire.texture() : nullptr, target);
     ++p.counters.frames;
 }

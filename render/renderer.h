@@ -31,7 +31,7 @@ struct Frame {
 
 /// How often each pass has run; a pass with nothing to draw does not.
 struct PassCounters {
-    int frames = 0, sheets = 0, lattice = 0, fire = 0;
+    int frames = 0, shadow = 0, ground = 0, lighter = 0, sheets = 0, lattice = 0, fire = 0;
 };
 
 /// Owns every GL object. One per GL context; the context must be current in every call, the

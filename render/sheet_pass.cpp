@@ -13,16 +13,6 @@ Texture table_texture(Colour (*function)(double), double end) {
     return texture;
 }
 
-void set_lighting(const Program& program, const PassInput& in) {
-    program.set("u_view", in.camera.view);
-    program.set("u_projection", in.camera.projection);
-    program.set("u_eye", in.camera.eye);
-    program.set("u_key_light", static_cast<float>(in.params.look.key_light));
-    program.set("u_light_count", in.params.view.flames ? in.lights.count : 0);
-    program.set_array("u_lights", kMostFlameLights, in.lights.light.data());
-    program.set("u_flame_light", static_cast<float>(in.params.look.flame_light));
-}
-
 SheetPass::SheetPass()
     : albedo_(table_texture(paper_albedo, kBurnProgressEnd)),
       glow_(table_texture(paper_glow, kBurnProgressEnd)),
@@ -40,7 +30,8 @@ SheetPass::SheetPass()
     glBindVertexArray(0);
 }
 
-void SheetPass::upload_sheets(const WorldView& world) {
+bool SheetPass::prepare(const WorldView& world) {
+    glBindVertexArray(array_.name());
     packed_.clear();
     std::vector<std::uint64_t> topology;
     for (const SheetView& sheet : world.sheets) {
@@ -52,7 +43,7 @@ void SheetPass::upload_sheets(const WorldView& world) {
         append_vertices(sheet, world, packed_);
     }
     upload<SheetVertex>(GL_ARRAY_BUFFER, vertices_, packed_);
-    if (topology == uploaded_) return;
+    if (topology == uploaded_) return !triangles_.empty();
     triangles_.clear();
     std::uint32_t first = 0;
     for (const SheetView& sheet : world.sheets) {
@@ -61,12 +52,16 @@ void SheetPass::upload_sheets(const WorldView& world) {
     }
     upload<std::uint32_t>(GL_ELEMENT_ARRAY_BUFFER, indices_, triangles_);
     uploaded_ = topology;
+    return !triangles_.empty();
 }
 
-bool SheetPass::draw(const PassInput& in) {
+void SheetPass::draw_triangles() const {
     glBindVertexArray(array_.name());
-    upload_sheets(*in.frame.world);
-    if (triangles_.empty()) return false;
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles_.size()), GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(0);
+}
+
+void SheetPass::draw(const PassInput& in) {
     program_.use();
     set_lighting(program_, in);
     program_.set("u_mode", static_cast<int>(in.params.view.mode));
@@ -81,9 +76,7 @@ bool SheetPass::draw(const PassInput& in) {
         const char* names[] = {"u_unburnt", "u_burning", "u_burnt_out"};
         program_.set(names[static_cast<int>(phase)], Eigen::Vector3f(phase_colour(phase)));
     }
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles_.size()), GL_UNSIGNED_INT, nullptr);
-    glBindVertexArray(0);
-    return true;
+    draw_triangles();
 }
 
 }  // namespace ember

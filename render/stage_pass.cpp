@@ -10,14 +10,6 @@ struct SolidVertex {
     float x, y, z, nx, ny, nz;
 };
 
-// The ground: a square so large that fog hides its edge.
-void append_ground(std::vector<SolidVertex>& v) {
-    constexpr float kHalf = 8.0f;
-    for (const auto& [x, z] : {std::pair{-1, -1}, {-1, 1}, {1, 1}, {-1, -1}, {1, 1}, {1, -1}}) {
-        v.push_back({kHalf * static_cast<float>(x), 0, kHalf * static_cast<float>(z), 0, 1, 0});
-    }
-}
-
 // The lighter's nozzle: an eight-sided tube that ends a little below the flame.
 void append_lighter(const Vector3& at, std::vector<SolidVertex>& v) {
     constexpr int kSides = 8;
@@ -45,37 +37,83 @@ void append_lighter(const Vector3& at, std::vector<SolidVertex>& v) {
     }
 }
 
+// Lines of the ground's grid: close together below the paper, far apart where fog hides all.
+float grid_line(int i, int half) {
+    const float t = static_cast<float>(i - half) / static_cast<float>(half);
+    return 0.9f * t + 7.0f * t * t * t * t * t;
+}
+
 }  // namespace
 
-void StagePass::draw(const PassInput& in) {
+void BackdropPass::draw(const PassInput& in) {
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(empty_.name());
-    backdrop_.use();
+    program_.use();
+    set_lighting(program_, in);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
     glEnable(GL_DEPTH_TEST);
+}
 
-    std::vector<SolidVertex> vertices;
-    const WorldView& world = *in.frame.world;
-    if (in.params.view.ground && world.ground) append_ground(vertices);
-    const std::size_t ground = vertices.size();
-    if (world.lighter_lit) append_lighter(world.lighter, vertices);
-    if (vertices.empty()) return;
-    glBindVertexArray(shape_.name());
-    upload<SolidVertex>(GL_ARRAY_BUFFER, vertices_, vertices);
-    float_attribute(0, 3, sizeof(SolidVertex), 0);
-    float_attribute(1, 3, sizeof(SolidVertex), 3 * sizeof(float));
-    solid_.use();
-    set_lighting(solid_, in);
-    solid_.set("u_pixels",
-               Eigen::Vector2f(static_cast<float>(in.width), static_cast<float>(in.height)));
-    const auto draw_range = [&](std::size_t first, std::size_t end, float albedo, float fog) {
-        if (first == end) return;
-        solid_.set("u_albedo", albedo);
-        solid_.set("u_fog", fog);
-        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), static_cast<GLsizei>(end - first));
-    };
-    draw_range(0, ground, 0.10f, 1.0f);
-    draw_range(ground, vertices.size(), 0.25f, 0.0f);
+GroundPass::GroundPass() {
+    constexpr int kHalf = 32, kLines = 2 * kHalf + 1;
+    std::vector<Eigen::Vector2f> vertices;
+    for (int row = 0; row < kLines; ++row) {
+        for (int column = 0; column < kLines; ++column)
+            vertices.emplace_back(grid_line(column, kHalf), grid_line(row, kHalf));
+    }
+    std::vector<std::uint16_t> indices;
+    for (int row = 0; row + 1 < kLines; ++row) {
+        for (int column = 0; column + 1 < kLines; ++column) {
+            const int n = row * kLines + column;
+            for (const int corner : {n, n + kLines, n + 1, n + 1, n + kLines, n + kLines + 1})
+                indices.push_back(static_cast<std::uint16_t>(corner));
+        }
+    }
+    count_ = static_cast<GLsizei>(indices.size());
+    glBindVertexArray(array_.name());
+    upload<Eigen::Vector2f>(GL_ARRAY_BUFFER, vertices_, vertices);
+    float_attribute(0, 2, sizeof(Eigen::Vector2f), 0);
+    upload<std::uint16_t>(GL_ELEMENT_ARRAY_BUFFER, indices_, indices);
+    glBindVertexArray(0);
+}
+
+void GroundPass::draw(const PassInput& in) {
+    std::array<Eigen::Vector4f, kMostOccluders> places{}, normals{};
+    const std::vector<Occluder> occluders = gather_occluders(*in.frame.world);
+    for (std::size_t i = 0; i < occluders.size(); ++i) {
+        places[i] = occluders[i].place;
+        normals[i] = occluders[i].normal;
+    }
+    program_.use();
+    set_lighting(program_, in);
+    program_.set("u_occluder_count", static_cast<int>(occluders.size()));
+    program_.set_array("u_occluders", kMostOccluders, places.data());
+    program_.set_array("u_occluder_normals", kMostOccluders, normals.data());
+    program_.set("u_albedo", in.lighting.ground);
+    program_.set("u_pixels",
+                 Eigen::Vector2f(static_cast<float>(in.width), static_cast<float>(in.height)));
+    glBindVertexArray(array_.name());
+    glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_SHORT, nullptr);
+    glBindVertexArray(0);
+}
+
+void LighterPass::draw(const PassInput& in) {
+    const Vector3& at = in.frame.world->lighter;
+    glBindVertexArray(array_.name());
+    if (count_ == 0 || at != uploaded_) {
+        std::vector<SolidVertex> vertices;
+        append_lighter(at, vertices);
+        upload<SolidVertex>(GL_ARRAY_BUFFER, vertices_, vertices);
+        float_attribute(0, 3, sizeof(SolidVertex), 0);
+        float_attribute(1, 3, sizeof(SolidVertex), 3 * sizeof(float));
+        uploaded_ = at;
+        count_ = static_cast<GLsizei>(vertices.size());
+    }
+    program_.use();
+    set_lighting(program_, in);
+    program_.set("u_albedo", 0.25f);
+    glDrawArrays(GL_TRIANGLES, 0, count_);
     glBindVertexArray(0);
 }
 

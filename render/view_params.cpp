@@ -10,6 +10,7 @@ using enum ParamApplies;
 using detail::Access;
 using R = RenderParams;
 
+constexpr std::string_view kLightings[] = {"studio", "night"};
 constexpr std::string_view kModes[] = {"beauty", "lattice", "temperature", "mass", "state"};
 
 template <auto Group, auto Field>
@@ -88,6 +89,9 @@ constexpr ParamInfo kRows[] = {
     real<&R::camera, &CameraParams::target_z>("camera.target_z", unit::millimetre, {-5000, 5000},
                                               {-300, 300}, Linear,
                                               "What it looks at, towards the viewer."),
+    choice<&R::look, &LookParams::lighting>("look.lighting", kLightings,
+                                            "The set: a soft studio lamp before a dark backdrop, "
+                                            "or night, lit by the fire."),
     real<&R::look, &LookParams::exposure>("look.exposure", unit::one, {0.01, 100}, {0.25, 4},
                                           Logarithmic, "Brightness of the picture."),
     real<&R::look, &LookParams::key_light>("look.key_light", unit::one, {0, 100}, {0, 3}, Linear,

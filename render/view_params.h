@@ -25,8 +25,12 @@ struct ViewParams {
     bool ground = true;
 };
 
+/// The set: how it is lit without the fire.
+enum class LightingPreset : std::uint8_t { Studio, Night };
+
 /// Light and film.
 struct LookParams {
+    LightingPreset lighting = LightingPreset::Studio;
     double exposure = 1.0;          // [1]
     double key_light = 1.0;         // [1]
     double flame_light = 1.0;       // [1] light that the flames throw on the sheet and ground

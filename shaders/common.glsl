@@ -1,22 +1,23 @@
 // Shared by every shader: lights and noise. Lengths in metres, colours linear RGB.
 
 uniform vec3 u_eye;             // camera position [m]
-uniform float u_key_light;      // brightness of the studio light
+uniform vec3 u_key_direction;   // towards the lamp, a unit vector
+uniform vec3 u_key, u_sky, u_bounce;  // light of the set (render/lighting.h)
+uniform vec3 u_backdrop_mid, u_backdrop_edge;
+uniform mat4 u_shadow_from_world;  // to 0 .. 1 in the shadow map
+uniform sampler2D u_shadow;     // share of paper around; times its distance, and that squared
 uniform int u_light_count;
-uniform vec4 u_lights[8];       // flames: xyz [m], w strength
+uniform vec4 u_lights[16];      // flames: xyz [m], w strength
 uniform float u_flame_light;
 
-const vec3 kKeyDirection = vec3(0.48, 0.62, 0.62);   // towards the studio light, nearly a unit
-const vec3 kKeyColour = vec3(1.00, 0.97, 0.92);
-const vec3 kSkyColour = vec3(0.20, 0.23, 0.28);
-const vec3 kGroundColour = vec3(0.10, 0.085, 0.07);
 const vec3 kFlameColour = vec3(1.00, 0.46, 0.13);
 
-// The backdrop by place in the picture (0 .. 1 from the lower left corner): a soft vertical gradient.
+// The backdrop by place in the picture (0 .. 1 from the lower left corner): a pool of light that
+// falls off without a horizon.
 vec3 backdrop(vec2 uv) {
-    vec3 gradient = mix(vec3(0.010, 0.011, 0.013), vec3(0.030, 0.034, 0.041),
-                        smoothstep(0.17, 0.75, uv.y));
-    return gradient * (1.0 - 0.35 * dot(uv - 0.5, uv - 0.5));
+    vec2 from_middle = (uv - vec2(0.5, 0.56)) * vec2(1.0, 1.15);
+    float far = smoothstep(0.0, 0.78, length(from_middle));
+    return mix(u_backdrop_mid, u_backdrop_edge, far);
 }
 
 // A cheap hash in [0, 1) without trigonometry, which would differ between processors.
@@ -44,21 +45,34 @@ float fractal_noise(vec2 p) {
     return sum / 0.9375;
 }
 
-// Light that falls on a surface with normal n at `place` from the flames.
-vec3 flame_irradiance(vec3 place, vec3 n, float wrap) {
-    vec3 sum = vec3(0.0);
+// Light that falls on a surface with normal n at `place` from the flames; times kFlameColour.
+float flame_irradiance(vec3 place, vec3 n, float wrap) {
+    float sum = 0.0;
     for (int i = 0; i < u_light_count; ++i) {
         vec3 to = u_lights[i].xyz - place;
         float squared = dot(to, to) + 0.0025;     // a flame is no point: 5 cm soft
         float facing = (dot(n, to) * inversesqrt(squared) + wrap) / (1.0 + wrap);
-        sum += kFlameColour * (u_lights[i].w * max(facing, 0.0) * 0.03 / squared);
+        sum += u_lights[i].w * max(facing, 0.0) * 0.03 / squared;
     }
     return sum * u_flame_light;
 }
 
-// Light from studio and sky.
-vec3 studio_irradiance(vec3 n, float wrap) {
-    float facing = max((dot(n, normalize(kKeyDirection)) + wrap) / (1.0 + wrap), 0.0);
-    vec3 sky = mix(kGroundColour, kSkyColour, n.y * 0.5 + 0.5);
-    return u_key_light * (kKeyColour * facing * 0.95 + sky);
+// Share of the lamp that reaches `place`, 0 .. 1. Of the paper around the line to the lamp, how much
+// is nearer to the lamp follows from the mean and variance of its distance (Chebyshev's bound).
+float key_visibility(vec3 place) {
+    vec3 at = (u_shadow_from_world * vec4(place, 1.0)).xyz;
+    vec3 paper = texture(u_shadow, at.xy).rgb;
+    if (paper.r < 0.004) return 1.0;
+    vec2 moments = paper.gb / paper.r;
+    float behind = at.z - 0.012 - moments.x;
+    if (behind <= 0.0) return 1.0;
+    float variance = max(moments.y - moments.x * moments.x, 1e-4);
+    float passes = smoothstep(0.15, 1.0, variance / (variance + behind * behind));
+    return 1.0 - paper.r * (1.0 - passes);
+}
+
+// Light of the set on a surface with normal n at `place`: the lamp with its shadows, and the sky.
+vec3 studio_irradiance(vec3 place, vec3 n, float wrap) {
+    float facing = max((dot(n, u_key_direction) + wrap) / (1.0 + wrap), 0.0);
+    return u_key * (facing * key_visibility(place)) + mix(u_bounce, u_sky, n.y * 0.5 + 0.5);
 }

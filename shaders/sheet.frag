@@ -5,6 +5,7 @@
 in vec3 v_place, v_normal;
 in vec2 v_sheet;
 in vec4 v_state;
+in vec2 v_flame;                        // light of the flames on the face with the normal, and behind
 uniform int u_mode;                     // ViewMode
 uniform sampler2D u_albedo, u_glow;     // by burn progress / 4
 uniform sampler2D u_heat, u_mass;       // colour maps over 0 .. 1
@@ -20,8 +21,9 @@ vec3 look_up(sampler2D table, float x) {
 }
 
 vec3 lit(vec3 albedo, float translucency, vec3 n) {
-    vec3 front = studio_irradiance(n, 0.15) + flame_irradiance(v_place, n, 0.1);
-    vec3 back = studio_irradiance(-n, 0.15) + flame_irradiance(v_place, -n, 0.1);
+    vec2 flame = dot(n, v_normal) < 0.0 ? v_flame.yx : v_flame;
+    vec3 front = studio_irradiance(v_place, n, 0.15) + kFlameColour * flame.x;
+    vec3 back = studio_irradiance(v_place, -n, 0.15) + kFlameColour * flame.y;
     return albedo * (front * (1.0 - translucency) + back * translucency);
 }
 

@@ -1,4 +1,4 @@
-// Ground and lighter: plain lit solids.
+// The lighter: a plain lit solid.
 // in  position [m], unit normal
 // out the same
 

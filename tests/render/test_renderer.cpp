@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/image_difference.h"
+#include "render/lighting.h"
 #include "support/gl_rig.h"
 #include "support/node_pixels.h"
 
@@ -118,6 +119,38 @@ TEST(Renderer, TheGroundCanBeLeftOut) {
     EXPECT_GT(compare(rig.draw(staged.view(), params), without).pixels, 1000);
     staged.ground = false;  // a world without a floor
     EXPECT_TRUE(compare(rig.draw(staged.view(), params), without).identical());
+}
+
+TEST(Renderer, PaperThrowsAShadowOnTheGround) {
+    GlRig rig;
+    RenderParams params = in_mode(ViewMode::Beauty);
+    params.camera.elevation = 1.2;
+    StagedWorld staged = test::hanging_sheet(9, 13);
+    const Image shadowed = rig.draw(staged.view(), params);
+    EXPECT_EQ(rig.renderer.counters().shadow, 1);
+    // where the lamp's ray through the middle of the sheet meets the ground
+    const Eigen::Vector3f lamp = lighting_of(LightingPreset::Studio).key_direction;
+    const Eigen::Vector3f middle(0, 0.3f, 0);
+    const Eigen::Vector3f below = middle - lamp * (middle.y() / lamp.y());
+    const Eigen::Vector3f seen = project(make_camera(params.camera, 320, 180), below, 320, 180);
+    const auto light_there = [&](const Image& image) {
+        return test::linear_colour(image, int(seen.x()), int(seen.y())).sum();
+    };
+    staged.quads.clear();
+    staged.topology_version = 2;
+    const Image open = rig.draw(staged.view(), params);
+    EXPECT_EQ(rig.renderer.counters().shadow, 1) << "no paper, no shadow";
+    EXPECT_LT(light_there(shadowed), 0.75f * light_there(open));
+}
+
+TEST(Renderer, AtNightOnlyTheFireLights) {
+    GlRig rig;
+    RenderParams params = in_mode(ViewMode::Beauty);
+    params.look.lighting = LightingPreset::Night;
+    const StagedWorld dark = test::hanging_sheet(16, 24), lit = test::burning_sheet(16, 24, 400);
+    EXPECT_LT(test::linear_colour(rig.draw(dark.view(), params), 160, 90).maxCoeff(), 0.08f);
+    const Colour fire = test::linear_colour(rig.draw(lit.view(), params), 160, 90);
+    EXPECT_GT(fire.x(), 2 * fire.z());
 }
 
 TEST(Renderer, ALitLighterIsSeen) {
