@@ -10,7 +10,8 @@
 
 namespace ember {
 
-enum class ParamKind { Real, Integer, Toggle, Choice };
+/// A Choice is one of several names, a Set is any number of them.
+enum class ParamKind { Real, Integer, Toggle, Choice, Set };
 enum class ParamScale { Linear, Logarithmic };
 enum class ParamApplies { Live, Rebuild };  ///< acts on the next step, or restarts the scene
 
@@ -38,6 +39,7 @@ struct ParamInfo {
     std::span<const std::string_view> choices;  ///< names of a Choice, in the order of its enum
     double (*get)(const void* object);          ///< value in SI (integers, toggles, choices as is)
     void (*set)(void* object, double si);
+    std::span<const unsigned> bits = {};  ///< of a Set: what each name in `choices` stands for
 
     [[nodiscard]] double shown(const void* object) const { return unit.from_si(get(object)); }
     void set_shown(void* object, double value) const { set(object, unit.to_si(value)); }

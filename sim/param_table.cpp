@@ -1,5 +1,6 @@
 #include "sim/param_table.h"
 
+#include <iterator>
 #include <limits>
 
 namespace ember {
@@ -14,8 +15,32 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::string_view kBorders[] = {"tributary", "uniform"};
 constexpr std::string_view kShapes[] = {"flat", "cylinder"};
 constexpr std::string_view kPoses[] = {"hanging", "horizontal"};
-constexpr std::string_view kEdges[] = {"none",        "main_start", "main_end",
-                                       "cross_start", "cross_end",  "both_main_ends"};
+constexpr std::string_view kEdges[] = {"none",
+                                       "main_start",
+                                       "main_end",
+                                       "cross_start",
+                                       "cross_end",
+                                       "both_main_ends",
+                                       "both_cross_ends",
+                                       "corner_main_start_cross_start",
+                                       "corner_main_start_cross_end",
+                                       "corner_main_end_cross_start",
+                                       "corner_main_end_cross_end"};
+constexpr unsigned bit(HeldEdge place) {
+    return static_cast<unsigned>(place);
+}
+constexpr unsigned kEdgeBits[] = {bit(HeldEdge::None),
+                                  bit(HeldEdge::MainStart),
+                                  bit(HeldEdge::MainEnd),
+                                  bit(HeldEdge::CrossStart),
+                                  bit(HeldEdge::CrossEnd),
+                                  bit(HeldEdge::BothMainEnds),
+                                  bit(HeldEdge::BothCrossEnds),
+                                  bit(HeldEdge::CornerMainStartCrossStart),
+                                  bit(HeldEdge::CornerMainStartCrossEnd),
+                                  bit(HeldEdge::CornerMainEndCrossStart),
+                                  bit(HeldEdge::CornerMainEndCrossEnd)};
+static_assert(std::size(kEdges) == std::size(kEdgeBits));
 constexpr std::string_view kStiffnessLaws[] = {"per_area", "per_node_mass"};
 constexpr std::string_view kPatterns[] = {"per_fibre", "per_spring"};
 constexpr std::string_view kShrinkRules[] = {"both_burning", "half"};
@@ -99,6 +124,20 @@ constexpr ParamInfo choice(std::string_view key, std::span<const std::string_vie
             names,
             &Access<Group, Field>::get,
             &Access<Group, Field>::set};
+}
+
+// Any of `names` together; `bits` says what each stands for.
+template <auto Group, auto Field>
+constexpr ParamInfo set_of(std::string_view key, std::span<const std::string_view> names,
+                           std::span<const unsigned> bits, ParamApplies applies, Text text) {
+    unsigned all = 0;
+    for (const unsigned b : bits)
+        all |= b;
+    ParamInfo row = choice<Group, Field>(key, names, applies, text);
+    row.kind = ParamKind::Set;
+    row.hard = row.tested = {0, static_cast<double>(all)};
+    row.bits = bits;
+    return row;
 }
 
 using P = Params;
@@ -199,8 +238,9 @@ constexpr ParamInfo kRows[] = {
         {"flat, or closed to a tube along the main direction.", "Sec. 5"}),
     choice<&P::sheet, &SheetParams::pose>("sheet.pose", kPoses, Rebuild,
                                           {"How the sheet starts.", "Our choice"}),
-    choice<&P::sheet, &SheetParams::held>("sheet.held", kEdges, Rebuild,
-                                          {"The edge that is attached, and kept cold.", "Sec. 5"}),
+    set_of<&P::sheet, &SheetParams::held>(
+        "sheet.held", kEdges, kEdgeBits, Rebuild,
+        {"What is attached, and kept cold: one edge or corner, or a list of them.", "Sec. 5"}),
     integer<&P::sheet, &SheetParams::count>("sheet.count", "", {1, 64}, {1, 4}, Rebuild,
                                             {"Sheets, one behind the other.", "Sec. 5"}),
     real<&P::sheet, &SheetParams::gap>("sheet.gap", "", unit::millimetre, {0, 1000}, {5, 50},

@@ -18,7 +18,28 @@ struct PaperParams {
 enum class Border : std::uint8_t { Tributary, Uniform };
 enum class SheetShape : std::uint8_t { Flat, Cylinder };
 enum class SheetPose : std::uint8_t { Hanging, Horizontal };
-enum class HeldEdge : std::uint8_t { None, MainStart, MainEnd, CrossStart, CrossEnd, BothMainEnds };
+
+/// Where a sheet is attached: a set of edges and corners, one bit each.
+enum class HeldEdge : std::uint8_t {
+    None = 0,
+    MainStart = 1,
+    MainEnd = 2,
+    CrossStart = 4,
+    CrossEnd = 8,
+    CornerMainStartCrossStart = 16,
+    CornerMainStartCrossEnd = 32,
+    CornerMainEndCrossStart = 64,
+    CornerMainEndCrossEnd = 128,
+    BothMainEnds = MainStart | MainEnd,
+    BothCrossEnds = CrossStart | CrossEnd
+};
+
+[[nodiscard]] constexpr HeldEdge operator|(HeldEdge a, HeldEdge b) {
+    return static_cast<HeldEdge>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+[[nodiscard]] constexpr HeldEdge operator&(HeldEdge a, HeldEdge b) {
+    return static_cast<HeldEdge>(static_cast<unsigned>(a) & static_cast<unsigned>(b));
+}
 
 /// Size, lattice and placement of the sheet (eq. 1).
 struct SheetParams {

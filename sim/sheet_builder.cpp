@@ -53,22 +53,22 @@ Vector3 place(const SheetPlan& plan, const Lattice& lattice, Index row, Index co
     return plan.origin + along * plan.main + (radius + ring) * out;
 }
 
-bool is_held(HeldEdge edge, const Lattice& lattice, Index row, Index column) {
-    switch (edge) {
-        case HeldEdge::None:
-            return false;
-        case HeldEdge::MainStart:
-            return column == 0;
-        case HeldEdge::MainEnd:
-            return column == lattice.column_count - 1;
-        case HeldEdge::CrossStart:
-            return row == 0;
-        case HeldEdge::CrossEnd:
-            return row == lattice.row_count - 1;
-        case HeldEdge::BothMainEnds:
-            return column == 0 || column == lattice.column_count - 1;
-    }
-    return false;
+bool is_held(HeldEdge held, const Lattice& lattice, Index row, Index column) {
+    const bool start = column == 0, end = column == lattice.column_count - 1;
+    const bool first = row == 0, last = row == lattice.row_count - 1;
+    HeldEdge at = HeldEdge::None;
+    const auto add = [&at](bool there, HeldEdge place) {
+        if (there) at = at | place;
+    };
+    add(start, HeldEdge::MainStart);
+    add(end, HeldEdge::MainEnd);
+    add(first, HeldEdge::CrossStart);
+    add(last, HeldEdge::CrossEnd);
+    add(start && first, HeldEdge::CornerMainStartCrossStart);
+    add(start && last, HeldEdge::CornerMainStartCrossEnd);
+    add(end && first, HeldEdge::CornerMainEndCrossStart);
+    add(end && last, HeldEdge::CornerMainEndCrossEnd);
+    return (at & held) != HeldEdge::None;
 }
 
 // Mass of every site [kg].
@@ -98,9 +98,8 @@ void validate(const SheetPlan& plan) {
     require(plan.width > 0 && plan.height > 0, "sheet.width, sheet.height: must be above 0");
     require(plan.shape != SheetShape::Cylinder || plan.rows >= 3,
             "sheet.rows: a cylinder needs at least 3");
-    require(plan.shape != SheetShape::Cylinder ||
-                (plan.held != HeldEdge::CrossStart && plan.held != HeldEdge::CrossEnd),
-            "sheet.held: a cylinder has no cross_start or cross_end edge");
+    require(plan.shape != SheetShape::Cylinder || (plan.held & HeldEdge::BothMainEnds) == plan.held,
+            "sheet.held: a cylinder has no edges or corners but main_start and main_end");
     constexpr std::int64_t kMostSites = 4096ll * 4096ll;
     require((std::int64_t{plan.rows} + 1) * (std::int64_t{plan.columns} + 1) <= kMostSites,
             "sheet.rows, sheet.columns: more than 4096 x 4096 nodes");

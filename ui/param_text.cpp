@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "app/preset_io/parameter_value.h"
+
 namespace ember {
 namespace {
 
@@ -30,6 +32,13 @@ std::string number(double value) {
     char text[40];
     std::snprintf(text, sizeof text, "%.15g", without_noise(value));
     return text;
+}
+
+std::string set_text(const ParamInfo& row, unsigned bits) {
+    std::string list;
+    for (const std::string_view name : names_in_set(row, bits))
+        list += (list.empty() ? "" : ", ") + replaced(std::string(name), "_", " ");
+    return list;
 }
 
 std::string with_unit(std::string text, const ParamInfo& row) {
@@ -77,6 +86,8 @@ std::string shown_value(const ParamInfo& row, const void* object) {
             return value != 0 ? "on" : "off";
         case ParamKind::Choice:
             return replaced(std::string(row.choices[static_cast<std::size_t>(value)]), "_", " ");
+        case ParamKind::Set:
+            return set_text(row, static_cast<unsigned>(value));
         case ParamKind::Integer:
         case ParamKind::Real:
             break;

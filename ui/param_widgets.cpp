@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -81,6 +82,22 @@ bool choice_widget(const ParamInfo& row, const ParamObjects& o) {
     return row.get(o.edited) != before;
 }
 
+// One box per place; names that stand for several are left out, as their parts are there.
+bool set_widget(const ParamInfo& row, const ParamObjects& o) {
+    if (!ImGui::BeginCombo("##value", shown_value(row, o.edited).c_str())) return false;
+    const double before = row.get(o.edited);
+    auto bits = static_cast<unsigned>(before);
+    for (std::size_t i = 0; i < row.choices.size(); ++i) {
+        if (!std::has_single_bit(row.bits[i])) continue;
+        std::string name(row.choices[i]);
+        std::ranges::replace(name, '_', ' ');
+        ImGui::CheckboxFlags(name.c_str(), &bits, row.bits[i]);
+    }
+    row.set(o.edited, static_cast<double>(bits));
+    ImGui::EndCombo();
+    return row.get(o.edited) != before;
+}
+
 bool toggle_widget(const ParamInfo& row, const ParamObjects& o) {
     bool value = row.get(o.edited) != 0;
     if (!ImGui::Checkbox("##value", &value)) return false;
@@ -95,6 +112,8 @@ bool value_widget(const ParamInfo& row, const ParamObjects& objects) {
             return toggle_widget(row, objects);
         case ParamKind::Choice:
             return choice_widget(row, objects);
+        case ParamKind::Set:
+            return set_widget(row, objects);
         case ParamKind::Integer:
         case ParamKind::Real:
             return number_widget(row, objects);

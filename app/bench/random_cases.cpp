@@ -38,7 +38,7 @@ constexpr Dimension kDimensions[] = {{"paper.grammage", Spread::Decades, 5, 2000
                                      {"sheet.border", Spread::Any, 0, 1},
                                      {"sheet.shape", Spread::Any, 0, 1},
                                      {"sheet.pose", Spread::Any, 0, 1},
-                                     {"sheet.held", Spread::Any, 0, 5},
+                                     {"sheet.held", Spread::Any, 0, 10},
                                      {"sheet.count", Spread::Any, 1, 3},
                                      {"sheet.gap", Spread::Even, 0, 50},
                                      {"sheet.elevation", Spread::Even, 0, 500},
@@ -123,7 +123,7 @@ std::string assignment(const Dimension& d, double share) {
     if (d.spread == Spread::Even) return key + short_text(d.low + share * (d.high - d.low), 4);
     const double whole = d.low + std::floor(share * (d.high - d.low + 1));
     const ParamInfo& row = *find_param(sim_param_rows(), d.key);
-    if (row.kind == ParamKind::Choice) {
+    if (!row.choices.empty()) {
         return key + std::string(row.choices[static_cast<std::size_t>(whole)]);
     }
     if (row.kind == ParamKind::Toggle) return key + (whole > 0 ? "true" : "false");
@@ -183,9 +183,9 @@ std::vector<StressCase> random_cases(std::size_t count, std::uint64_t seed) {
         if (params.sheet.shape == SheetShape::Cylinder) {
             // what cannot be built is refused, which is tested elsewhere
             cells.rows = std::max(cells.rows, 3);
-            const bool cross = params.sheet.held == HeldEdge::CrossStart ||
-                               params.sheet.held == HeldEdge::CrossEnd;
-            if (cross) c.sets.emplace_back("sheet.held=main_start");
+            const HeldEdge held = params.sheet.held;
+            if ((held & HeldEdge::BothMainEnds) != held)
+                c.sets.emplace_back("sheet.held=main_start");
         }
         c.sets.push_back("sheet.rows=" + std::to_string(cells.rows));
         c.sets.push_back("sheet.columns=" + std::to_string(cells.columns));

@@ -1,7 +1,11 @@
 #include "app/preset_io/parameter_value.h"
 
+#include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
+
+#include "app/preset_io/nearest_word.h"
 
 namespace ember {
 namespace {
@@ -10,6 +14,7 @@ std::string shown_value(const PresetValue& value) {
     if (const auto* text = std::get_if<std::string>(&value)) return '"' + *text + '"';
     if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
     if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
+    if (std::holds_alternative<PresetArray>(value)) return "array";
     return number_text(std::get<double>(value));
 }
 
@@ -102,10 +107,36 @@ ParsedValue parse_choice(const ParamInfo& row, const PresetValue& value) {
     return refuse(row, value);
 }
 
+// One name of a set or a list of them.
+ParsedValue parse_set(const ParamInfo& row, const PresetValue& value) {
+    const auto* array = std::get_if<PresetArray>(&value);
+    const std::vector<PresetValue> names = array != nullptr ? array->items : std::vector{value};
+    unsigned bits = 0;
+    for (const PresetValue& name : names) {
+        const auto* text = std::get_if<std::string>(&name);
+        if (text == nullptr) return refuse(row, name);
+        const auto found = std::find(row.choices.begin(), row.choices.end(), *text);
+        if (found == row.choices.end()) {
+            const std::string near = nearest_word(*text, row.choices);
+            return refuse(row, name, near.empty() ? "" : "; did you mean " + near + '?');
+        }
+        bits |= row.bits[static_cast<std::size_t>(found - row.choices.begin())];
+    }
+    return {static_cast<double>(bits), {}, {}};
+}
+
+std::string set_text(const std::vector<std::string_view>& names) {
+    std::string list;
+    for (const std::string_view name : names)
+        list += (list.empty() ? "\"" : ", \"") + std::string(name) + '"';
+    return names.size() == 1 ? list : '[' + list + ']';
+}
+
 }  // namespace
 
 ParsedValue parse_value(const ParamInfo& row, const PresetValue& value) {
     if (row.kind == ParamKind::Choice) return parse_choice(row, value);
+    if (row.kind == ParamKind::Set) return parse_set(row, value);
     const auto* flag = std::get_if<bool>(&value);
     if (row.kind != ParamKind::Toggle && flag != nullptr) return refuse(row, value);
     if (row.kind == ParamKind::Toggle) {
@@ -117,7 +148,9 @@ ParsedValue parse_value(const ParamInfo& row, const PresetValue& value) {
     } else if (const auto* real = std::get_if<double>(&value)) {
         result.si = row.unit.to_si(*real);
     } else {
-        result = parse_quantity(row, std::get<std::string>(value));
+        const auto* text = std::get_if<std::string>(&value);
+        if (text == nullptr) return refuse(row, value);
+        result = parse_quantity(row, *text);
         if (!result.error.empty()) return result;
     }
     // 15 digits: the conversion leaves noise in the last ones, which could miss the range's end
@@ -132,15 +165,27 @@ ParsedValue parse_value(const ParamInfo& row, const PresetValue& value) {
 
 std::string expected(const ParamInfo& row) {
     if (row.kind == ParamKind::Toggle) return "true or false";
-    if (row.kind == ParamKind::Choice) {
-        std::string list;
-        for (const std::string_view name : row.choices) {
-            list += (list.empty() ? "one of " : ", ") + std::string(name);
-        }
-        return list;
-    }
+    if (row.kind == ParamKind::Choice) return "one of " + names_text(row);
+    if (row.kind == ParamKind::Set) return "one or a list of " + names_text(row);
     return (row.kind == ParamKind::Integer ? "a whole number from " : "a number from ") +
            range_text(row, row.hard);
+}
+
+std::string names_text(const ParamInfo& row) {
+    std::string list;
+    for (const std::string_view name : row.choices)
+        list += (list.empty() ? "" : ", ") + std::string(name);
+    return list;
+}
+
+std::vector<std::string_view> names_in_set(const ParamInfo& row, unsigned bits) {
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < row.choices.size(); ++i) {
+        if (row.bits[i] == bits) return {row.choices[i]};
+        const bool part = std::has_single_bit(row.bits[i]) && (row.bits[i] & bits) != 0;
+        if (part) names.push_back(row.choices[i]);
+    }
+    return names;
 }
 
 std::string range_text(const ParamInfo& row, ParamRange range) {
@@ -162,6 +207,8 @@ std::string value_text(const ParamInfo& row, const void* object) {
             return si != 0 ? "true" : "false";
         case ParamKind::Choice:
             return '"' + std::string(row.choices[static_cast<std::size_t>(si)]) + '"';
+        case ParamKind::Set:
+            return set_text(names_in_set(row, static_cast<unsigned>(si)));
         case ParamKind::Integer:
             return std::to_string(static_cast<std::int64_t>(si));
         case ParamKind::Real:

@@ -4,13 +4,18 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "sim/param_info.h"
 
 namespace ember {
 
 /// What TOML can hold that a parameter may be set to.
-using PresetValue = std::variant<bool, std::int64_t, double, std::string>;
+struct PresetArray;
+using PresetValue = std::variant<bool, std::int64_t, double, std::string, PresetArray>;
+struct PresetArray {
+    std::vector<PresetValue> items;
+};
 
 /// The value in SI, or why it is refused ("expected ..., got ...").
 struct ParsedValue {
@@ -22,6 +27,12 @@ struct ParsedValue {
 
 /// "a number from 5 to 5000 g/m^2", "true or false", "one of flat, cylinder".
 [[nodiscard]] std::string expected(const ParamInfo& row);
+
+/// The names of a Choice or Set: "flat, cylinder".
+[[nodiscard]] std::string names_text(const ParamInfo& row);
+
+/// The fewest names of a Set that make up `bits`: the one that stands for all, or each part's.
+[[nodiscard]] std::vector<std::string_view> names_in_set(const ParamInfo& row, unsigned bits);
 
 /// "5 to 5000 g/m^2".
 [[nodiscard]] std::string range_text(const ParamInfo& row, ParamRange range);

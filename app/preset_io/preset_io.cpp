@@ -21,6 +21,15 @@ constexpr std::uintmax_t kLargestFile = 1 << 20;  // [bytes]
 constexpr std::size_t kDeepestChain = 32;
 
 std::optional<PresetValue> value_of(const toml::node& node) {
+    if (const auto* array = node.as_array()) {
+        PresetArray list;
+        for (const toml::node& item : *array) {
+            const std::optional<PresetValue> value = value_of(item);
+            if (!value) return std::nullopt;
+            list.items.push_back(*value);
+        }
+        return PresetValue(std::move(list));
+    }
     if (const auto* v = node.as_boolean()) return PresetValue(v->get());
     if (const auto* v = node.as_integer()) return PresetValue(v->get());
     if (const auto* v = node.as_floating_point()) return PresetValue(v->get());

@@ -27,7 +27,7 @@ std::string cell(std::string_view text) {
 
 std::string range_cell(const ParamInfo& row, ParamRange range) {
     if (row.kind == ParamKind::Toggle) return "";
-    if (row.kind == ParamKind::Choice) return expected(row).substr(7);  // without "one of "
+    if (!row.choices.empty()) return names_text(row);
     return number_text(range.min) + " to " + number_text(range.max);
 }
 
@@ -35,7 +35,7 @@ std::string row_of(const ParamInfo& row, const void* object) {
     std::ostringstream out;
     out << "| `" << row.key << "` | " << cell(row.symbol) << " | " << value_text(row, object)
         << " | " << cell(row.unit.name) << " | " << range_cell(row, row.hard) << " | "
-        << (row.kind == ParamKind::Choice ? "" : range_cell(row, row.tested)) << " | "
+        << (row.choices.empty() ? range_cell(row, row.tested) : "") << " | "
         << (row.applies == ParamApplies::Live ? "live" : "rebuild") << " | " << cell(row.help)
         << " | " << cell(row.source) << " |\n";
     return out.str();

@@ -40,6 +40,20 @@ TEST(PresetErrors, AWrongTypeSaysWhatWasExpectedAndWhatWasFound) {
     EXPECT_EQ(problems("schema = 1\ntitle = 3\n"), "p.toml:2:9: error: title: expected a string\n");
 }
 
+TEST(PresetErrors, AnUnknownPlaceIsNamedWithTheNearestOne) {
+    const std::string names =
+        "expected one or a list of none, main_start, main_end, cross_start, cross_end, "
+        "both_main_ends, both_cross_ends, corner_main_start_cross_start, "
+        "corner_main_start_cross_end, corner_main_end_cross_start, corner_main_end_cross_end, got ";
+    EXPECT_EQ(
+        problems("schema = 1\n[sheet]\nheld = \"main_strat\"\n"),
+        "p.toml:3:8: error: sheet.held: " + names + "\"main_strat\"; did you mean main_start?\n");
+    EXPECT_EQ(problems("schema = 1\n[sheet]\nheld = [\"main_start\", \"everywhere_at_once\"]\n"),
+              "p.toml:3:8: error: sheet.held: " + names + "\"everywhere_at_once\"\n");
+    EXPECT_EQ(problems("schema = 1\n[sheet]\nheld = [3]\n"),
+              "p.toml:3:8: error: sheet.held: " + names + "3\n");
+}
+
 TEST(PresetErrors, AnIntegerMustBeWhole) {
     EXPECT_NE(problems("schema = 1\n[sheet]\nrows = 32.5\n")
                   .find("p.toml:3:8: error: sheet.rows: expected a whole number from "),

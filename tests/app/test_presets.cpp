@@ -109,6 +109,28 @@ TEST(Presets, OverridesTakeBareWordsAndTomlValues) {
     EXPECT_FALSE(apply_override("lighter.on=yes\nx=1", e.bindings()).empty());
 }
 
+TEST(Presets, PlacesAreOneNameOrAList) {
+    const auto held = [](const std::string& value) {
+        const TemporaryFolder folder;
+        const auto path = folder.write("p.toml", "schema = 1\n[sheet]\nheld = " + value + "\n");
+        return load(path).values.params.sheet.held;
+    };
+    EXPECT_EQ(held("\"main_end\""), HeldEdge::MainEnd);
+    EXPECT_EQ(held("\"none\""), HeldEdge::None);
+    EXPECT_EQ(held("[]"), HeldEdge::None);
+    EXPECT_EQ(held("[\"main_start\", \"main_end\"]"), HeldEdge::BothMainEnds);
+    EXPECT_EQ(held("[\"both_cross_ends\", \"corner_main_end_cross_start\", \"cross_start\"]"),
+              HeldEdge::BothCrossEnds | HeldEdge::CornerMainEndCrossStart);
+    Everything e;
+    EXPECT_TRUE(apply_override("sheet.held=both_cross_ends", e.bindings()).empty());
+    EXPECT_TRUE(apply_override("sheet.held=[\"main_start\", \"cross_end\"]", e.bindings()).empty());
+    EXPECT_EQ(e.params.sheet.held, HeldEdge::MainStart | HeldEdge::CrossEnd);
+    const ParamInfo& row = *find_param(sim_param_rows(), "sheet.held");
+    EXPECT_EQ(value_text(row, &e.params), "[\"main_start\", \"cross_end\"]");
+    e.params.sheet.held = HeldEdge::CrossStart | HeldEdge::CrossEnd;
+    EXPECT_EQ(value_text(row, &e.params), "\"both_cross_ends\"");
+}
+
 TEST(Presets, AChildOverridesWhatItInherits) {
     const TemporaryFolder folder;
     folder.write("base.toml",

@@ -283,6 +283,9 @@ TEST(World, SheetsThatCannotBeBuiltAreRefusedByName) {
     tube.sheet.shape = SheetShape::Cylinder;
     tube.sheet.rows = 2;
     EXPECT_NE(message(tube).find("cylinder"), std::string::npos);
+    tube.sheet.rows = 3;
+    tube.sheet.held = HeldEdge::MainStart | HeldEdge::CrossEnd;
+    EXPECT_NE(message(tube).find("sheet.held"), std::string::npos);
     Params huge;
     huge.sheet.rows = huge.sheet.columns = 1000000;
     EXPECT_NE(message(huge).find("4096"), std::string::npos);
