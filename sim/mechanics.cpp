@@ -133,6 +133,12 @@ class Finish {
     }
 
     void add_extra(const Run run, double* f) const {
+        if (m_.plate != nullptr) {
+            for (std::ptrdiff_t c = 0; c < 3; ++c) {
+                add_to(run.count, m_.plate_forces->total.data() + c * node_count() + run.first,
+                       f + c * m_.forces.pitch);
+            }
+        }
         const ExtraSprings& extra = m_.forces.extra;
         const bool copies = run.first >= m_.lattice.site_count();
         const std::ptrdiff_t row = run.first / m_.lattice.column_count;
@@ -180,6 +186,10 @@ void finish_copies(const Mechanics& m, const Finish& finish, LostPower& lost) {
 LostPower evaluate(const Mechanics& m, const NodeMotion& motion, const Finish& finish, bool leaps) {
     const std::ptrdiff_t columns = m.lattice.column_count;
     LostPower lost;
+    if (m.plate != nullptr) {
+        m.plate_forces->evaluate(m.lattice, *m.plate, m.sheet.rest_curvature, motion.x,
+                                 m.node_count(), m.pool);
+    }
     const double in_extra = m.forces.extra.evaluate(m.network, motion);
     if (!leaps) lost.damping = in_extra;
     for (const RowSpan& span : m.rows) {

@@ -7,6 +7,7 @@
 #include "sim/lattice.h"
 #include "sim/old_rows.h"
 #include "sim/parallel.h"
+#include "sim/plate_forces.h"
 #include "sim/spring_forces.h"
 #include "sim/spring_network.h"
 #include "sim/world_state.h"
@@ -46,6 +47,8 @@ struct Mechanics {
     SpringKernel kernel;
     std::span<const RowSpan> rows;  ///< that are moved, ascending; nodes of others have a = 0 and
                                     ///< must be at rest. Copies are moved if any row is.
+    const Plate* plate = nullptr;   ///< null without rigidity
+    PlateForces* plate_forces = nullptr;  ///< scratch
 
     [[nodiscard]] std::size_t node_count() const { return sheet.mass.size(); }
 };

@@ -288,6 +288,41 @@ constexpr ParamInfo kRows[] = {
         {"A node that has lost mass has lost fibre: springs weaken with the mass of their lighter "
          "end. Off is the paper.",
          "Our choice"}),
+    // ---- plate -------------------------------------------------------------------------------
+    real<&P::plate, &PlateParams::youngs_main>(
+        "plate.youngs_main", "E_x", unit::gigapascal, {0, 1000}, {1, 10}, Linear, Rebuild,
+        {"Young's modulus along the main direction, for bending. Office paper has about 5; 0 bends "
+         "like cloth. The caliper is grammage / density: paper.density of real paper is 600 to "
+         "900.",
+         "Our choice"}),
+    real<&P::plate, &PlateParams::youngs_cross>(
+        "plate.youngs_cross", "E_z", unit::gigapascal, {0, 1000}, {0.5, 5}, Linear, Rebuild,
+        {"Young's modulus in the cross direction, for bending. About half of the other.",
+         "Our choice"}),
+    real<&P::plate, &PlateParams::poisson>(
+        "plate.poisson", "nu", unit::one, {0, 0.5}, {0.1, 0.4}, Linear, Rebuild,
+        {"Poisson's ratio, the geometric mean of the two: how much a sheet that is bent one way "
+         "bends the other way across.",
+         "Our choice"}),
+    real<&P::plate, &PlateParams::rigidity_main>(
+        "plate.rigidity_main", "D_x", unit::newton_millimetre, {0, 1e6}, {0.01, 100}, Logarithmic,
+        Rebuild,
+        {"Flexural rigidity along the main direction, per width. 0: from Young's modulus.",
+         "Our choice"}),
+    real<&P::plate, &PlateParams::rigidity_cross>(
+        "plate.rigidity_cross", "D_z", unit::newton_millimetre, {0, 1e6}, {0.01, 100}, Logarithmic,
+        Rebuild,
+        {"Flexural rigidity in the cross direction, per width. 0: from Young's modulus.",
+         "Our choice"}),
+    real<&P::plate, &PlateParams::char_rigidity>(
+        "plate.char_rigidity", "", unit::percent, {0, 100}, {5, 50}, Linear, Live,
+        {"Share of the rigidity that burnt-out paper keeps; in between it falls with the mass. "
+         "Counts with springs.follows_mass.",
+         "Our choice"}),
+    toggle<&P::plate, &PlateParams::clamped>(
+        "plate.clamped", Rebuild,
+        {"Held borders keep their slope as in a clip; off: they turn freely, as on a line of pins.",
+         "Our choice"}),
     // ---- world -------------------------------------------------------------------------------
     real<&P::world, &WorldParams::gravity>("world.gravity", "g", unit::metre_per_second_squared,
                                            {0, 1000}, {0, 9.81}, Linear, Live,
@@ -471,6 +506,7 @@ constexpr ParamInfo kRows[] = {
 static_assert(row_count(kRows, "paper") == field_count<PaperParams>, "every field needs a row");
 static_assert(row_count(kRows, "sheet") == field_count<SheetParams>, "every field needs a row");
 static_assert(row_count(kRows, "springs") == field_count<SpringParams>, "every field needs a row");
+static_assert(row_count(kRows, "plate") == field_count<PlateParams>, "every field needs a row");
 static_assert(row_count(kRows, "world") == field_count<WorldParams>, "every field needs a row");
 static_assert(row_count(kRows, "heat") == field_count<HeatParams>, "every field needs a row");
 static_assert(row_count(kRows, "burning") == field_count<BurningParams>, "every field needs a row");
@@ -482,7 +518,7 @@ static_assert(row_count(kRows, "fracture") == field_count<FractureParams>,
               "every field needs a row");
 static_assert(row_count(kRows, "numerics") == field_count<NumericsParams>,
               "every field needs a row");
-static_assert(field_count<Params> == 11, "every group needs rows and an assertion above");
+static_assert(field_count<Params> == 12, "every group needs rows and an assertion above");
 
 }  // namespace
 

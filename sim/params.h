@@ -73,6 +73,17 @@ struct SpringParams {
     bool follows_mass = true;
 };
 
+/// Flexural rigidity: the sheet as a plate (plate.h). Without it paper bends like cloth.
+struct PlateParams {
+    double youngs_main = 0.0;     // [Pa] 0: no rigidity
+    double youngs_cross = 0.0;    // [Pa]
+    double poisson = 0.3;         // [1] geometric mean of the two
+    double rigidity_main = 0.0;   // [N m] if above 0, instead of the one from Young's modulus
+    double rigidity_cross = 0.0;  // [N m]
+    double char_rigidity = 0.2;   // [1] share that is left at burning.residual_mass
+    bool clamped = true;          // held borders keep their slope
+};
+
 /// What pulls and drags at the sheet from outside.
 struct WorldParams {
     double gravity = 9.81;              // [m/s^2] downwards
@@ -187,6 +198,7 @@ struct Params {
     PaperParams paper;
     SheetParams sheet;
     SpringParams springs;
+    PlateParams plate;
     WorldParams world;
     HeatParams heat;
     BurningParams burning;

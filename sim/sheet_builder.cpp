@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "sim/math.h"
+#include "sim/plate.h"
 #include "sim/random.h"
 
 namespace ember {
@@ -145,6 +146,11 @@ SheetState make_sheet(const SheetPlan& plan, const Lattice& lattice, const Param
             if (cell == kNone) continue;
             state.quads[static_cast<std::size_t>(cell)][static_cast<std::size_t>(sector)] = site;
         }
+    }
+    if (flexural_rigidity(params.paper, params.plate).any() && lattice.closed) {
+        state.rest_curvature.main.assign(n, 0.0);
+        state.rest_curvature.cross.assign(n, built_curvature(lattice));
+        state.rest_curvature.twist.assign(n, 0.0);
     }
     const bool any_held = std::find(state.held.begin(), state.held.end(), 1) != state.held.end();
     state.piece_held.assign(n, any_held ? 1 : 0);

@@ -10,6 +10,7 @@ namespace ember {
 namespace {
 
 using Blocks = std::array<double*, 7>;
+constexpr std::size_t kDiagonals[] = {0, 3, 5};  // xx, yy, zz
 
 Blocks pointers(std::array<std::vector<double>, 7>& arrays, std::size_t offset = 0) {
     Blocks p{};
@@ -109,9 +110,14 @@ class RowBlocks {
 
     /// Sums up the stencil's springs at the nodes of rows [begin, end).
     void sum(Index begin, Index end) {
-        for (auto& block : scratch_.blocks) {
-            const auto column_0 = [&](Index row) { return block.begin() + lattice_.site(row, 0); };
-            std::fill(column_0(begin), column_0(end), 0.0);
+        const auto first = lattice_.site(begin, 0), sites = lattice_.site(end, 0) - first;
+        for (auto& block : scratch_.blocks)
+            std::fill_n(block.begin() + first, sites, 0.0);
+        if (!scratch_.plate.empty()) {
+            for (const std::size_t diagonal : kDiagonals) {
+                std::copy_n(scratch_.plate.begin() + first, sites,
+                            scratch_.blocks[diagonal].begin() + first);
+            }
         }
         for (Index place = begin - 2; place < end; ++place) {
             const Index row = lattice_.row_at(place, 0);
@@ -184,8 +190,9 @@ class RowBlocks {
 }  // namespace
 
 FastestMotion find_fastest_motion(const Lattice& lattice, const SheetState& sheet,
-                                  const SpringNetwork& network, const NodeLoads& loads,
-                                  ThreadPool& pool, StabilityScratch& scratch) {
+                                  const SpringNetwork& network, const Plate* plate,
+                                  const NodeLoads& loads, ThreadPool& pool,
+                                  StabilityScratch& scratch) {
     const std::size_t nodes = sheet.mass.size();
     scratch.root.resize(nodes);
     square_roots(loads.inverse_mass.data(), static_cast<std::ptrdiff_t>(nodes),
@@ -193,6 +200,15 @@ FastestMotion find_fastest_motion(const Lattice& lattice, const SheetState& shee
     for (auto& array : scratch.blocks) {
         array.resize(nodes);
         std::fill(array.begin() + lattice.site_count(), array.end(), 0.0);
+    }
+    scratch.plate.clear();
+    if (plate != nullptr) {
+        scratch.plate.resize(nodes, 0.0);
+        add_plate_bound(lattice, *plate, sheet, scratch.root, scratch.plate);
+        for (const std::size_t diagonal : kDiagonals) {
+            std::copy(scratch.plate.begin() + lattice.site_count(), scratch.plate.end(),
+                      scratch.blocks[diagonal].begin() + lattice.site_count());
+        }
     }
     const auto threads = static_cast<std::size_t>(pool.size());
     scratch.row.resize(threads);

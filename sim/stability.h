@@ -20,6 +20,7 @@ struct FastestMotion {
 /// Scratch of find_fastest_motion().
 struct StabilityScratch {
     std::vector<double> root;                   ///< [kg^-1/2] 1/√m, N
+    std::vector<double> plate;                  ///< what the plate adds to D_i, times √m_i; N
     std::array<std::vector<double>, 7> blocks;  ///< stiffness xx xy xz yy yz zz, damping; N
     /// The same of one row of springs, for each thread.
     std::vector<std::array<std::vector<double>, 7>> row;
@@ -35,10 +36,12 @@ struct StabilityScratch {
 /// D_i = 1/√m_i Σ_springs (1/√m_a + 1/√m_b) K, and γ² likewise with the damping. Inside
 /// a uniform sheet that is 5 % above the exact ω, with its lighter border 12 %. K = k nnᵀ +
 /// max(k - kl/L, 0)(I - nnᵀ): stretch stiffens across the spring; compression, which makes it
-/// buckle, only takes from ω. Held nodes drop out. Valid for any mass, stretch and topology.
-/// `scratch` may be used again; the result does not depend on the number of threads.
+/// buckle, only takes from ω. The bending energies ½ k |Σ c_j u_j|² of a plate add multiples of the
+/// identity likewise, add_plate_bound(); `plate` is null without rigidity. Held nodes drop out.
+/// Valid for any mass, stretch and topology. `scratch` may be used again; the result does not
+/// depend on the number of threads.
 [[nodiscard]] FastestMotion find_fastest_motion(const Lattice& lattice, const SheetState& sheet,
-                                                const SpringNetwork& network,
+                                                const SpringNetwork& network, const Plate* plate,
                                                 const NodeLoads& loads, ThreadPool& pool,
                                                 StabilityScratch& scratch);
 

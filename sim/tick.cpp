@@ -68,7 +68,8 @@ void run_coupling(const Tick& t, StepCounters& counters) {
 StepControl plan_steps(const Tick& t, const SheetState& sheet, SheetWorkspace& w) {
     const NumericsParams& n = t.params.numerics;
     const FastestMotion fastest =
-        find_fastest_motion(w.lattice, sheet, w.network, w.loads, t.pool, w.stability);
+        find_fastest_motion(w.lattice, sheet, w.network, w.plate.stiff() ? &w.plate : nullptr,
+                            w.loads, t.pool, w.stability);
     StepControl control{.integrator = choose_integrator(n, fastest, t.dt), .dt = t.dt};
     const double step = n.safety * stable_step(control.integrator, fastest);
     double needed = std::max(1.0 * n.substeps_min, std::ceil(t.dt / step));
@@ -102,7 +103,8 @@ bool run_springs(const Tick& t, StepReport& report) {
         w.forces.prepare(w.lattice, sheet, w.network, t.pool);
         const TickWork work =
             integrate({w.lattice, sheet, w.network, w.loads, w.forces, w.old_rows, t.pool,
-                       spring_kernel(t.params.numerics.arithmetic), w.awake.spans},
+                       spring_kernel(t.params.numerics.arithmetic), w.awake.spans,
+                       w.plate.stiff() ? &w.plate : nullptr, &w.plate_forces},
                       sheet, control, w.integration, report.counters);
         if (work.failure != nullptr) {
             report.reason = work.failure;
@@ -168,8 +170,10 @@ void run_burning(const Tick& t, StepCounters& counters) {
         gone += burnt;
         if (counters.nodes_ignited + counters.nodes_burnt_out != changes)
             find_active(w.lattice, sheet, w.active);
-        if (burnt > 0)
+        if (burnt > 0) {
             weaken_springs(w.lattice, sheet, t.params.springs.follows_mass, t.pool, w.network);
+            if (w.plate.stiff()) weaken_plate(w.lattice, sheet, t.params, w.plate);
+        }
     }
     t.state.totals.burnt_mass += gone;
     t.state.totals.ignitions += counters.nodes_ignited;
@@ -242,6 +246,10 @@ void refresh_derived(const Params& params, const WorldState& state, ThreadPool& 
         }
         weaken_springs(w.lattice, sheet, params.springs.follows_mass, pool, w.network);
         find_active(w.lattice, sheet, w.active);
+        if (!w.plate.stiff()) continue;
+        if (w.plate.topology_version != sheet.topology_version)
+            rebuild_plate(w.lattice, sheet, w.plate);
+        weaken_plate(w.lattice, sheet, params, w.plate);
     }
 }
 
@@ -252,6 +260,7 @@ MechanicalEnergy measure_energy(const Params& params, const WorldState& state, T
         SheetWorkspace& w = work.sheets[s];
         energy +=
             sheet_energy(w.lattice, params.world, state.sheets[s], w.network, pool, w.row_energy);
+        if (w.plate.stiff()) energy.elastic += plate_energy(w.lattice, w.plate, state.sheets[s]);
     }
     return energy;
 }

@@ -46,6 +46,10 @@ inline constexpr Unit joule_per_kilogram_kelvin{"J/(kg K)", "specific heat"};
 inline constexpr Unit kilojoule_per_kilogram_kelvin{"kJ/(kg K)", "specific heat", 1e3};
 inline constexpr Unit watt_per_metre_kelvin{"W/(m K)", "conductivity"};
 inline constexpr Unit watt_per_square_metre_kelvin{"W/(m^2 K)", "heat transfer"};
+inline constexpr Unit gigapascal{"GPa", "stress", 1e9};
+inline constexpr Unit megapascal{"MPa", "stress", 1e6};
+inline constexpr Unit newton_millimetre{"N mm", "flexural rigidity", 1e-3};
+inline constexpr Unit newton_metre{"N m", "flexural rigidity"};
 inline constexpr Unit metre_per_second{"m/s", "velocity"};
 inline constexpr Unit metre_per_second_squared{"m/s^2", "acceleration"};
 inline constexpr Unit per_second_squared{"1/s^2", "specific stiffness"};
@@ -79,6 +83,10 @@ inline constexpr Unit kUnits[] = {unit::one,
                                   unit::kilojoule_per_kilogram_kelvin,
                                   unit::watt_per_metre_kelvin,
                                   unit::watt_per_square_metre_kelvin,
+                                  unit::gigapascal,
+                                  unit::megapascal,
+                                  unit::newton_millimetre,
+                                  unit::newton_metre,
                                   unit::metre_per_second,
                                   unit::metre_per_second_squared,
                                   unit::per_second_squared,

@@ -9,6 +9,7 @@
 #include "sim/heat.h"
 #include "sim/integrator.h"
 #include "sim/lattice.h"
+#include "sim/plate_forces.h"
 #include "sim/sleep.h"
 #include "sim/spring_forces.h"
 #include "sim/spring_network.h"
@@ -21,6 +22,8 @@ namespace ember {
 struct SheetWorkspace {
     Lattice lattice;        ///< never changes
     SpringNetwork network;  ///< follows the sheet's topology and masses
+    Plate plate;            ///< likewise; empty without rigidity
+    PlateForces plate_forces;
     NodeLoads loads;
     AwakeRows awake;  ///< rows that are moved in this tick
     SpringForces forces;

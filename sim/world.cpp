@@ -50,6 +50,7 @@ World::World(Scene scene, const Params& params, int threads)
     for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
         SheetWorkspace& w = work_->sheets.emplace_back();
         w.lattice = make_lattice(scene_.sheets[s], params.paper, params.springs, seed, s);
+        w.plate = make_plate(scene_.sheets[s], w.lattice, params.paper, params.plate);
         state_.sheets.push_back(make_sheet(scene_.sheets[s], w.lattice, params, s));
     }
     refresh_derived(params_, state_, *pool_, *work_);
@@ -106,7 +107,7 @@ bool World::apply(const Params& params) {
 void World::restore(WorldState state) {
     state_ = std::move(state);
     for (SheetWorkspace& w : work_->sheets)
-        w.network.topology_version = ~0ull;
+        w.network.topology_version = w.plate.topology_version = ~0ull;
     work_->tiles.clear();
     refresh_derived(params_, state_, *pool_, *work_);
 }

@@ -10,6 +10,12 @@
 
 namespace ember {
 
+/// Curvatures of a plate without moments (plate.h) [1/m], positive towards the normal; S each, or
+/// empty where all are 0. The twist is that of a cell, at the site of its first corner.
+struct RestCurvature {
+    std::vector<double> main, cross, twist;
+};
+
 /// What evolves on one sheet. Node n < site count is the first copy of site n; cuts append copies.
 struct SheetState {
     // per node, N
@@ -27,6 +33,7 @@ struct SheetState {
     // per lattice site, S
     std::vector<std::uint8_t> glue;    ///< bit d: quads on both sides of edge d share a node
     std::vector<double> relief_until;  ///< [s] no cut at this site before
+    RestCurvature rest_curvature;      ///< of a sheet that is a plate
     // per lattice row
     std::vector<Index> quiet_ticks;  ///< ticks that the row has rested, see sleep.h
     // per spring slot, 6×S (see lattice.h)
@@ -128,6 +135,10 @@ void for_each_field(State& s, Visitor&& visit) {
         visit("sheet.quiet_ticks", sheet.quiet_ticks);
         visit("sheet.rest_length", sheet.rest_length), visit("sheet.quads", sheet.quads);
         visit("sheet.topology_version", sheet.topology_version);
+        auto& rest = sheet.rest_curvature;
+        if (rest.main.empty()) continue;  // not among the fields of a sheet without
+        visit("sheet.rest_curvature", rest.main), visit("sheet.rest_curvature", rest.cross);
+        visit("sheet.rest_curvature", rest.twist);
     }
     vectors("fire.position", s.fire.position), vectors("fire.velocity", s.fire.velocity);
     visit("fire.temperature", s.fire.temperature), visit("fire.strength", s.fire.strength);

@@ -39,6 +39,12 @@ void LinearSystem::assemble(const double* x, double s) {
         inverse_block_[i] += block;
         inverse_block_[j] += block;
     });
+    if (m_.plate != nullptr) {
+        plate_.assign(n, 0.0);
+        add_plate_diagonal(m_.lattice, *m_.plate, plate_);
+        for (std::size_t i = 0; i < n; ++i)
+            inverse_block_[i] += s * s * plate_[i] * Eigen::Matrix3d::Identity();
+    }
     for (std::size_t i = 0; i < n; ++i) {
         inverse_block_[i] = mass_[i] > 0 ? Eigen::Matrix3d(inverse_block_[i].inverse())
                                          : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
@@ -70,6 +76,11 @@ void LinearSystem::apply(const double* p, double* product, double s_damping, dou
             product[axis * n + i] += f;
             product[axis * n + j] -= f;
         }
+    }
+    if (m_.plate != nullptr) {
+        m_.plate_forces->evaluate_linear(m_.lattice, *m_.plate, p, n, m_.pool);
+        for (std::size_t i = 0; i < 3 * n; ++i)
+            product[i] -= s_stiffness * m_.plate_forces->total[i];
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (std::size_t i = 0; i < n; ++i) {

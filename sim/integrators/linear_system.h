@@ -38,7 +38,7 @@ class LinearSystem {
     const Mechanics& m_;
     double s_ = 0;
     std::vector<Link> links_;
-    std::vector<double> mass_, drag_;
+    std::vector<double> mass_, drag_, plate_;
     std::vector<Eigen::Matrix3d> inverse_block_;
     std::vector<double> right_, residual_, z_, direction_, product_;
 };

@@ -41,6 +41,8 @@ struct Rig {
     Lattice lattice;
     SheetState sheet;
     SpringNetwork network;
+    Plate plate;
+    PlateForces plate_forces;
     NodeLoads loads;
     SpringForces forces;
     OldRows old_rows;
@@ -54,6 +56,7 @@ struct Rig {
     explicit Rig(const Params& p) : params(p), scene(make_scene(p.sheet)) {
         const auto seed = static_cast<std::uint64_t>(p.numerics.seed);
         lattice = make_lattice(scene.sheets[0], p.paper, p.springs, seed, 0);
+        plate = make_plate(scene.sheets[0], lattice, p.paper, p.plate);
         sheet = make_sheet(scene.sheets[0], lattice, p, 0);
         whole = {{0, lattice.row_count}};
         refresh();
@@ -62,6 +65,10 @@ struct Rig {
     /// After any change of topology, mass or held nodes.
     void refresh() {
         rebuild_network(lattice, sheet, network);
+        if (plate.stiff()) {
+            rebuild_plate(lattice, sheet, plate);
+            weaken_plate(lattice, sheet, params, plate);
+        }
         weaken_springs(lattice, sheet, params.springs.follows_mass, *pool, network);
         gather_loads(params, sheet, {}, loads);
     }
@@ -79,19 +86,24 @@ struct Rig {
     /// The right-hand side for the present topology, masses and loads.
     [[nodiscard]] Mechanics mechanics() {
         forces.prepare(lattice, sheet, network, *pool);
-        return {lattice, sheet,    network, loads,
-                forces,  old_rows, *pool,   spring_kernel(params.numerics.arithmetic),
-                whole};
+        return {lattice, sheet,    network,      loads,
+                forces,  old_rows, *pool,        spring_kernel(params.numerics.arithmetic),
+                whole,   stiff(),  &plate_forces};
     }
 
     [[nodiscard]] FastestMotion fastest() {
         gather_loads(params, sheet, {}, loads);
-        return find_fastest_motion(lattice, sheet, network, loads, *pool, stability);
+        return find_fastest_motion(lattice, sheet, network, stiff(), loads, *pool, stability);
     }
 
     [[nodiscard]] MechanicalEnergy energy() {
-        return sheet_energy(lattice, params.world, sheet, network, *pool, row_energy);
+        MechanicalEnergy all =
+            sheet_energy(lattice, params.world, sheet, network, *pool, row_energy);
+        if (plate.stiff()) all.elastic += plate_energy(lattice, plate, sheet);
+        return all;
     }
+
+    [[nodiscard]] const Plate* stiff() const { return plate.stiff() ? &plate : nullptr; }
 
     [[nodiscard]] std::size_t site(Index row, Index column) const {
         return static_cast<std::size_t>(lattice.site(row, column));
