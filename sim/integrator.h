@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "sim/integrators/linear_system.h"
 #include "sim/integrators/motion.h"
 #include "sim/mechanics.h"
 #include "sim/step_stats.h"
@@ -36,11 +37,13 @@ struct IntegratorScratch {
     std::vector<std::vector<double>> accelerations;  ///< [m/s²] of stages or past steps, 3N each
     std::vector<std::vector<double>> velocities;     ///< [m/s] stages of rosenbrock, 3N + padding
     std::vector<double> error, zeros;                ///< 3N
+    LinearSystem system;                             ///< of rosenbrock
 };
 
 /// Whether the integrator finds its own sub-steps from StepControl::tolerance.
 [[nodiscard]] constexpr bool has_error_control(IntegratorKind integrator) {
-    return integrator == IntegratorKind::Dopri5 || integrator == IntegratorKind::Rkf78;
+    return integrator == IntegratorKind::Dopri5 || integrator == IntegratorKind::Rkf78 ||
+           integrator == IntegratorKind::Rosenbrock;
 }
 
 /// Advances the positions and velocities of `sheet`, which is `mechanics.sheet`, by control.dt.
@@ -54,7 +57,8 @@ struct IntegratorScratch {
 ///   rkf78                   8(7)   13  Fehlberg 1968, error control
 ///   adams_bashforth_moulton 7      2   PECE, started by rkf78 in every tick, since the fire,
 ///                                      the cuts and the masses change between ticks
-///   rosenbrock              2      3   ROS2 (Verwer et al. 1999), linearly implicit, L-stable
+///   rosenbrock              2      3   ROS2 (Verwer et al. 1999), linearly implicit, L-stable,
+///                                      error control of order 2(1)
 ///
 /// Returns the work done, by the same quadrature as the motion.
 TickWork integrate(const Mechanics& mechanics, SheetState& sheet, const StepControl& control,

@@ -472,7 +472,7 @@ constexpr ParamInfo kRows[] = {
          "Sec. 4.1 (rk4); our choice"}),
     real<&P::numerics, &NumericsParams::tolerance>(
         "numerics.tolerance", "", unit::metre, {1e-13, 0.01}, {1e-10, 1e-4}, Logarithmic, Live,
-        {"Error that one sub-step of dopri5 or rkf78 may make.", "Our choice"}),
+        {"Error that one sub-step of dopri5, rkf78 or rosenbrock may make.", "Our choice"}),
     real<&P::numerics, &NumericsParams::safety>(
         "numerics.safety", "", unit::one, {0.01, 10}, {0.5, 0.9}, Linear, Live,
         {"Share of the computed stability bound that a sub-step may use.", "Our choice"}),

@@ -156,20 +156,31 @@ TEST(Allocation, AfterAWarmUpABurningCornerAllocatesOnlyWhatDoublesAsTheFireGrow
         expect_little(small_sheet(), threads);
 }
 
-TEST(Allocation, NorDoesAnyHeatSolverOrExplicitIntegratorAllocate) {
+TEST(Allocation, NorDoesAnyHeatSolverOrIntegratorAllocate) {
     for (const HeatSolverKind solver : {HeatSolverKind::Rkl2, HeatSolverKind::Adi}) {
         SCOPED_TRACE(static_cast<int>(solver));
         Params p = small_sheet();
         p.numerics.heat_solver = solver;
         expect_little(p, 1);
     }
-    // rosenbrock builds its system of equations anew in every tick
     for (const IntegratorKind integrator :
          {IntegratorKind::SemiImplicitEuler, IntegratorKind::Rk4, IntegratorKind::Dopri5,
           IntegratorKind::Rkf78, IntegratorKind::AdamsBashforthMoulton}) {
         SCOPED_TRACE(static_cast<int>(integrator));
         Params p = small_sheet();
         p.numerics.integrator = integrator;
+        expect_little(p, 1);
+    }
+}
+
+TEST(Allocation, NorDoesAPlateNorTheImplicitIntegrator) {
+    for (const IntegratorKind integrator :
+         {IntegratorKind::VelocityVerlet, IntegratorKind::Rosenbrock}) {
+        SCOPED_TRACE(static_cast<int>(integrator));
+        Params p = small_sheet();
+        p.plate.rigidity_main = p.plate.rigidity_cross = 1e-5;
+        p.numerics.integrator = integrator;
+        p.numerics.tolerance = 1e-3;
         expect_little(p, 1);
     }
 }

@@ -7,6 +7,7 @@
 
 #include "rig.h"
 #include "sim/energy.h"
+#include "sim/topology.h"
 
 namespace ember {
 namespace {
@@ -214,6 +215,35 @@ TEST(Integrators, AreUnstableNotFarBeyondTheirStepBound) {
          {IntegratorKind::SemiImplicitEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
         EXPECT_FALSE(growth(integrator, 0.0, 1.6) < 1e3);
     }
+}
+
+TEST(Integrators, RosenbrockChoosesItsStepsAndComputesTheSameBitsOnAnyNumberOfThreads) {
+    Params p = small_swing();
+    p.sheet.rows = 60, p.sheet.columns = 70;
+    p.sheet.width = 0.6, p.sheet.height = 0.7;
+    p.plate.rigidity_main = 2e-3, p.plate.rigidity_cross = 1e-3;
+    const auto move = [&p](int threads, double tolerance, TickWork& work) {
+        Rig rig(p);
+        rig.pool = std::make_unique<ThreadPool>(threads);
+        for (int i = 0; i < 9; ++i)  // with springs at cuts
+            (void)cut_site(rig.lattice, rig.sheet, rig.lattice.site(30, 5 + i), CutLine::AlongMain);
+        rig.refresh();
+        work = rig.run({.integrator = IntegratorKind::Rosenbrock,
+                        .dt = 1.0 / 240,
+                        .substeps = 1,
+                        .tolerance = tolerance});
+        EXPECT_EQ(work.failure, nullptr);
+        return rig.sheet.position;
+    };
+    TickWork one, three, fine;
+    const Vector3Array a = move(1, 1e-5, one), b = move(3, 1e-5, three);
+    EXPECT_EQ(a.x, b.x);
+    EXPECT_EQ(a.y, b.y);
+    EXPECT_EQ(a.z, b.z);
+    EXPECT_EQ(one.damping, three.damping);
+    const Vector3Array c = move(1, 1e-8, fine);
+    EXPECT_LT(distance(a, c), 1e-5);
+    EXPECT_GT(fine.substeps, 2 * one.substeps);
 }
 
 TEST(Integrators, RosenbrockStaysStableFarBeyondTheBound) {
