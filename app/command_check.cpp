@@ -6,7 +6,6 @@
 #include "app/exit_code.h"
 #include "app/run_options.h"
 #include "sim/param_table.h"
-#include "sim/sheet_builder.h"
 
 namespace ember {
 namespace {
@@ -14,16 +13,12 @@ namespace {
 using Severity = Diagnostic::Severity;
 
 // What can be said only of the parameters together.
-void check_together(const std::string& file, const Params& params,
-                    std::vector<Diagnostic>& diagnostics) {
+void check_together(const std::string& file, Params& params, PresetResult& result) {
+    std::vector<Diagnostic>& diagnostics = result.diagnostics;
+    const std::vector<Diagnostic> problems = scene_problems(params, result.info);
+    diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
     for (const std::string& warning : plausibility_warnings(params)) {
         diagnostics.push_back({Severity::Warning, file, 0, 0, "", warning});
-    }
-    try {
-        for (const SheetPlan& plan : make_scene(params.sheet).sheets)
-            validate(plan);
-    } catch (const std::invalid_argument& e) {
-        diagnostics.push_back({Severity::Error, file, 0, 0, "", e.what()});
     }
 }
 
@@ -35,7 +30,7 @@ bool check_file(const std::string& name) {
     try {
         const std::filesystem::path path = resolve_preset(name);
         result = load_preset(path, bindings);
-        if (result.ok()) check_together(path.string(), params, result.diagnostics);
+        if (result.ok()) check_together(path.string(), params, result);
     } catch (const InputError& e) {
         std::fprintf(stderr, "%s\n", e.what());
         return false;

@@ -89,6 +89,7 @@ void FrameSource::interpolate(double share, FrameView& frame) const {
     const std::vector<SheetState>& later = world_.state().sheets;
     frame.view = earlier_view_;
     frame.view.time = earlier_.time + share * world_.tick_duration();
+    frame.view.lighters = world_.lighters_at(frame.view.time);
     frame.springs = earlier_springs_;
     frame.sheets = earlier_.sheets;
     for (std::size_t s = 0; s < frame.sheets.size(); ++s) {

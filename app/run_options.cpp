@@ -7,8 +7,10 @@
 #include <thread>
 
 #include "app/exit_code.h"
+#include "app/preset_io/mask_file.h"
 #include "app/preset_io/nearest_word.h"
 #include "sim/param_table.h"
+#include "sim/scene_check.h"
 
 namespace ember {
 
@@ -69,6 +71,17 @@ std::string diagnostics_text(const std::vector<Diagnostic>& diagnostics) {
     return text;
 }
 
+std::vector<Diagnostic> scene_problems(Params& params, const PresetInfo& info) {
+    std::vector<Diagnostic> problems = read_masks(params, info);
+    if (!problems.empty()) return problems;
+    try {
+        validate(make_scene(params), caliper(params.paper));
+    } catch (const SceneError& e) {
+        problems.push_back(place_error(info, e));
+    }
+    return problems;
+}
+
 LoadedPreset load_run(const RunOptions& options, const std::vector<Assignment>& more) {
     LoadedPreset loaded;
     const ParamBinding bindings[] = {bind(loaded.params), bind(loaded.render)};
@@ -80,7 +93,12 @@ LoadedPreset load_run(const RunOptions& options, const std::vector<Assignment>& 
         assignments.push_back({"--seed", "numerics.seed=" + options.seed});
     }
     for (const Assignment& assignment : assignments) {
-        const auto problems = apply_override(assignment.text, bindings, assignment.origin);
+        const auto problems =
+            apply_override(assignment.text, bindings, assignment.origin, result.info);
+        result.diagnostics.insert(result.diagnostics.end(), problems.begin(), problems.end());
+    }
+    if (result.ok()) {
+        const auto problems = scene_problems(loaded.params, result.info);
         result.diagnostics.insert(result.diagnostics.end(), problems.begin(), problems.end());
     }
     if (!result.ok()) {
@@ -103,8 +121,8 @@ LoadedPreset load_run(const RunOptions& options, const std::vector<Assignment>& 
 World build_world(const LoadedPreset& preset, int threads) {
     try {
         return make_world(preset.params, threads);
-    } catch (const std::invalid_argument& e) {
-        throw InputError(preset.info.path.string() + ": error: " + e.what());
+    } catch (const SceneError& e) {  // of parameters that have been changed since
+        throw InputError(diagnostics_text({place_error(preset.info, e)}));
     }
 }
 

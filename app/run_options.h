@@ -37,10 +37,14 @@ struct LoadedPreset {
     PresetInfo info;
 };
 
-/// Reads the preset, applies `more`, then --set and --seed. Throws InputError with all problems at
+/// Reads the preset, applies `more`, then --set and --seed, and looks whether the scene can be
+/// built. Throws InputError with all problems at
 /// once, or when there is no such preset. Warnings go to stderr when options.verbose.
 [[nodiscard]] LoadedPreset load_run(const RunOptions& options,
                                     const std::vector<Assignment>& more = {});
+
+/// Reads the pictures of the sheets' outlines into `params`; says why the scene cannot be built.
+[[nodiscard]] std::vector<Diagnostic> scene_problems(Params& params, const PresetInfo& info);
 
 /// The file of a preset given by path or built-in name. Throws InputError with a suggestion.
 [[nodiscard]] std::filesystem::path resolve_preset(const std::string& name);

@@ -18,10 +18,16 @@ void put(std::string& bytes, T value) {
     bytes.append(raw, sizeof raw);
 }
 
+// Where the sheet has no paper there is no node either.
+bool is_there(const SheetView& sheet, std::size_t node) {
+    return sheet.initial_mass[node] > 0;
+}
+
 std::string header(const WorldView& world) {
     std::size_t nodes = 0, quads = 0;
     for (const SheetView& sheet : world.sheets) {
-        nodes += sheet.x.size();
+        for (std::size_t n = 0; n < sheet.x.size(); ++n)
+            nodes += is_there(sheet, n) ? 1u : 0u;
         quads += sheet.quads.size();
     }
     std::ostringstream out;
@@ -37,6 +43,7 @@ std::string header(const WorldView& world) {
 
 void put_nodes(std::string& bytes, const SheetView& sheet, std::size_t number) {
     for (std::size_t n = 0; n < sheet.x.size(); ++n) {
+        if (!is_there(sheet, n)) continue;
         for (const double value :
              {sheet.x[n], sheet.y[n], sheet.z[n], sheet.vx[n], sheet.vy[n], sheet.vz[n],
               unit::celsius.from_si(sheet.temperature[n]), sheet.mass[n]}) {
@@ -55,14 +62,17 @@ std::string state_ply(const WorldView& world) {
     std::string bytes = header(world);
     for (std::size_t s = 0; s < world.sheets.size(); ++s)
         put_nodes(bytes, world.sheets[s], s);
-    Index first = 0;
+    Index next = 0;
+    std::vector<Index> vertex;
     for (const SheetView& sheet : world.sheets) {
+        vertex.clear();
+        for (std::size_t n = 0; n < sheet.x.size(); ++n)
+            vertex.push_back(is_there(sheet, n) ? next++ : kNone);
         for (const Quad& quad : sheet.quads) {
             put(bytes, std::uint8_t{4});
             for (const Index node : quad)
-                put(bytes, first + node);
+                put(bytes, vertex[static_cast<std::size_t>(node)]);
         }
-        first += static_cast<Index>(sheet.x.size());
     }
     return bytes;
 }

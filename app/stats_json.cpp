@@ -67,6 +67,7 @@ Json energy_ledger(const EnergyLedger& e) {
             {"elastic", e.elastic},
             {"gravitational", e.gravitational},
             {"work_fire", e.work_fire},
+            {"work_wind", e.work_wind},
             {"loss_damping", e.loss_damping},
             {"loss_drag", e.loss_drag},
             {"loss_sleep", e.loss_sleep},
@@ -98,10 +99,11 @@ std::size_t quad_count(const WorldState& state) {
 PhaseCounts count_phases(const WorldState& state) {
     PhaseCounts counts;
     for (const SheetState& sheet : state.sheets) {
-        for (const Phase phase : sheet.phase) {
-            counts.unburnt += phase == Phase::Unburnt;
-            counts.burning += phase == Phase::Burning;
-            counts.burnt_out += phase == Phase::BurntOut;
+        for (std::size_t n = 0; n < sheet.phase.size(); ++n) {
+            if (sheet.initial_mass[n] == 0) continue;  // no paper
+            counts.unburnt += sheet.phase[n] == Phase::Unburnt;
+            counts.burning += sheet.phase[n] == Phase::Burning;
+            counts.burnt_out += sheet.phase[n] == Phase::BurntOut;
         }
     }
     return counts;
@@ -137,7 +139,9 @@ void StatsRecorder::record(const World& world, const StepReport& report) {
     t.elastic = state.energy.elastic;
     t.gravitational = state.energy.gravitational;
     t.particles = static_cast<std::int64_t>(state.fire.size());
-    t.emitters = t.nodes.burning + (world.view().lighter_lit ? 1 : 0);
+    t.emitters = t.nodes.burning;
+    for (const LighterView& lighter : world.view().lighters)
+        t.emitters += lighter.lit ? 1 : 0;
     t.cuts = state.totals.cuts;
     t.retries = report.retries;
     t.work = report.counters;

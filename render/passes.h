@@ -52,7 +52,7 @@ class GroundPass {
     GLsizei count_ = 0;
 };
 
-/// The lighter's nozzle.
+/// The nozzles of all lighters that burn.
 class LighterPass {
   public:
     void draw(const PassInput& in);
@@ -61,7 +61,7 @@ class LighterPass {
     Program program_{"solid"};
     VertexArray array_;
     Buffer vertices_;
-    Vector3 uploaded_ = Vector3::Zero();  ///< [m] where the buffer has it
+    std::vector<Vector3> uploaded_;  ///< [m] where the buffer has them
     GLsizei count_ = 0;
 };
 

@@ -1,5 +1,7 @@
 #include "render/renderer.h"
 
+#include <algorithm>
+
 #include "render/passes.h"
 
 namespace ember {
@@ -76,7 +78,9 @@ void Renderer::draw(const Frame& frame, const RenderParams& params, int width, i
     p.film.begin(width, height);
     p.backdrop.draw(in);
     if (params.view.ground && world.ground) p.run(p.counters.ground, [&] { p.ground.draw(in); });
-    if (world.lighter_lit) p.run(p.counters.lighter, [&] { p.lighter.draw(in); });
+    const bool lit = std::any_of(world.lighters.begin(), world.lighters.end(),
+                                 [](const LighterView& lighter) { return lighter.lit; });
+    if (lit) p.run(p.counters.lighter, [&] { p.lighter.draw(in); });
     if (lattice) p.counters.lattice += p.lattice.draw(in) ? 1 : 0;
     if (paper) p.run(p.counters.sheets, [&] { p.sheets.draw(in); });
     p.film.resolve();

@@ -38,7 +38,9 @@ void append_vertices(const SheetView& sheet, const WorldView& world,
     for (std::size_t n = 0; n < sheet.x.size(); ++n) {
         const Index row = sheet.site[n] / sheet.column_count;
         const Index column = sheet.site[n] % sheet.column_count;
-        const double left = sheet.mass[n] / sheet.initial_mass[n];
+        // of what is no paper nothing is drawn
+        const bool paper = sheet.initial_mass[n] > 0;
+        const double left = paper ? sheet.mass[n] / sheet.initial_mass[n] : 1.0;
         const double burnt = (1.0 - left) / (1.0 - world.residual_mass);
         const double progress = burn_progress(sheet.phase[n], sheet.temperature[n], world.ignition,
                                               burnt, world.time - sheet.burnout_time[n]);

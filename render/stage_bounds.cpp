@@ -44,6 +44,7 @@ Bounds bounds_of(const WorldView& world) {
     Eigen::Vector3d low = Eigen::Vector3d::Constant(1e30), high = -low;
     for (const SheetView& sheet : world.sheets) {
         for (std::size_t n = 0; n < sheet.x.size(); ++n) {
+            if (sheet.initial_mass[n] == 0) continue;  // no paper
             const Eigen::Vector3d at(sheet.x[n], sheet.y[n], sheet.z[n]);
             low = low.cwiseMin(at);
             high = high.cwiseMax(at);

@@ -99,15 +99,19 @@ void GroundPass::draw(const PassInput& in) {
 }
 
 void LighterPass::draw(const PassInput& in) {
-    const Vector3& at = in.frame.world->lighter;
+    std::vector<Vector3> places;
+    for (const LighterView& lighter : in.frame.world->lighters) {
+        if (lighter.lit) places.push_back(lighter.position);
+    }
     glBindVertexArray(array_.name());
-    if (count_ == 0 || at != uploaded_) {
+    if (places != uploaded_) {
         std::vector<SolidVertex> vertices;
-        append_lighter(at, vertices);
+        for (const Vector3& place : places)
+            append_lighter(place, vertices);
         upload<SolidVertex>(GL_ARRAY_BUFFER, vertices_, vertices);
         float_attribute(0, 3, sizeof(SolidVertex), 0);
         float_attribute(1, 3, sizeof(SolidVertex), 3 * sizeof(float));
-        uploaded_ = at;
+        uploaded_ = places;
         count_ = static_cast<GLsizei>(vertices.size());
     }
     program_.use();

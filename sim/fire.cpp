@@ -4,14 +4,19 @@
 #include <cmath>
 
 #include "sim/exp_array.h"
+#include "sim/lighter.h"
 #include "sim/math.h"
 #include "sim/random.h"
 #include "sim/vectorise.h"
+#include "sim/wind.h"
 
 namespace ember {
 namespace {
 
-constexpr std::uint64_t kLighterStream = 0;
+// The first lighter has 0, and no stream of a node comes near those of the others.
+std::uint64_t lighter_stream(std::size_t number) {
+    return 0 - static_cast<std::uint64_t>(number);
+}
 
 std::uint64_t node_stream(std::size_t sheet, std::size_t node) {
     return 1 + (static_cast<std::uint64_t>(sheet) << 32) + node;
@@ -20,12 +25,18 @@ std::uint64_t node_stream(std::size_t sheet, std::size_t node) {
 // One source of particles during one tick.
 struct Emitter {
     std::uint64_t stream;
-    Vector3 position, velocity;  // [m], [m/s] at the start of the tick
-    double radius;               // [m] particles start within this distance, horizontally
-    double start, end;           // [s] burns in [start, end)
-    double rate;                 // [1/s]
-    double rise;                 // [m/s]
-    double strength;             // [1]
+    Vector3 position, velocity;           // [m], [m/s] at the start of the tick
+    double radius;                        // [m] particles start within this distance, horizontally
+    double start, end;                    // [s] burns in [start, end)
+    double rate;                          // [1/s]
+    double rise;                          // [m/s]
+    double strength;                      // [1]
+    const LighterParams* path = nullptr;  // follows it instead
+
+    [[nodiscard]] Vector3 place(double at, double time) const {
+        if (path != nullptr) return lighter_position(*path, at);
+        return position + velocity * (at - time);
+    }
 };
 
 // What all particles that fly for the same time have in common; see advance_fire().
@@ -37,15 +48,26 @@ struct Flight {
     double decay;          // [1] share of the speed that is left
     double reach;          // [s] distance per unit of initial speed
     double climb;          // [s^2] distance per unit of lift, from rest
+    Vector3 carried;       // [m] by the wind, from rest
+    Vector3 gained;        // [m/s] from the wind, from rest
 };
 
-Flight make_flight(const FireParams& fire, double ambient, double h, double cooling, double decay) {
+// A particle in air that moves with W: v - W decays, so v gains W (1 - decay) and it is carried by
+// W (h - reach).
+Flight make_flight(const FireParams& fire, const Vector3& wind, double ambient, double h,
+                   double cooling, double decay) {
     const double reach = fire.drag > 0 ? (1.0 - decay) / fire.drag : h;
     const double climb = fire.drag > 0 ? (h - reach) / fire.drag : 0.5 * h * h;
     const double span = fire.temperature - ambient;
-    return {
-        ambient, span > 0 ? 0.5 * fire.buoyancy : 0.0, span > 0 ? span : 1.0, cooling, decay, reach,
-        climb};
+    return {ambient,
+            span > 0 ? 0.5 * fire.buoyancy : 0.0,
+            span > 0 ? span : 1.0,
+            cooling,
+            decay,
+            reach,
+            climb,
+            wind * (h - reach),
+            wind * (1.0 - decay)};
 }
 
 // Exact flight of particles [begin, end). No exponential in it: they all fly for the same time.
@@ -53,16 +75,18 @@ EMBER_VECTORISED void fly(const Flight& flight, std::size_t begin, std::size_t e
                           double* y, double* z, double* vx, double* vy, double* vz,
                           double* temperature) {
     const Flight f = flight;
+    const double cx = f.carried.x(), cy = f.carried.y(), cz = f.carried.z();
+    const double gx = f.gained.x(), gy = f.gained.y(), gz = f.gained.z();
 #pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i) {
         const double excess = temperature[i] - f.ambient, cooled = excess * f.cooling;
         const double lift = f.half_buoyancy * (excess + cooled) / f.span;
-        x[i] += vx[i] * f.reach;
-        y[i] += vy[i] * f.reach + lift * f.climb;
-        z[i] += vz[i] * f.reach;
-        vx[i] *= f.decay;
-        vy[i] = vy[i] * f.decay + lift * f.reach;
-        vz[i] *= f.decay;
+        x[i] += vx[i] * f.reach + cx;
+        y[i] += (vy[i] * f.reach + lift * f.climb) + cy;
+        z[i] += vz[i] * f.reach + cz;
+        vx[i] = vx[i] * f.decay + gx;
+        vy[i] = (vy[i] * f.decay + lift * f.reach) + gy;
+        vz[i] = vz[i] * f.decay + gz;
         temperature[i] = f.ambient + cooled;
     }
 }
@@ -73,15 +97,16 @@ void fly(const Flight& flight, std::size_t begin, std::size_t end, FireState& fi
         fire.temperature.data());
 }
 
-void move_particles(const Params& params, double dt, FireState& fire) {
+void move_particles(const Params& params, const Vector3& wind, double dt, FireState& fire) {
     const FireParams& f = params.fire;
-    fly(make_flight(f, params.heat.ambient, dt, ember::exp(-dt / f.cooling_time),
+    fly(make_flight(f, wind, params.heat.ambient, dt, ember::exp(-dt / f.cooling_time),
                     ember::exp(-f.drag * dt)),
         0, fire.size(), fire);
 }
 
 // Particles born in this tick, each with its own time to fly until `end` [s].
-void fly_new(const Params& params, double end, std::size_t first, FireState& fire) {
+void fly_new(const Params& params, const Vector3& wind, double end, std::size_t first,
+             FireState& fire) {
     const FireParams& f = params.fire;
     constexpr std::size_t kAtOnce = 64;  // exponentials in one call
     double cooling[kAtOnce], decay[kAtOnce];
@@ -95,8 +120,8 @@ void fly_new(const Params& params, double end, std::size_t first, FireState& fir
         exp_array(cooling, static_cast<std::ptrdiff_t>(count));
         exp_array(decay, static_cast<std::ptrdiff_t>(count));
         for (std::size_t i = 0; i < count; ++i) {
-            const Flight flight = make_flight(f, params.heat.ambient, end - fire.birth[begin + i],
-                                              cooling[i], decay[i]);
+            const Flight flight = make_flight(f, wind, params.heat.ambient,
+                                              end - fire.birth[begin + i], cooling[i], decay[i]);
             fly(flight, begin + i, begin + i + 1, fire);
         }
     }
@@ -134,7 +159,7 @@ void emit_one(const FireParams& f, const Emitter& emitter, std::uint64_t random,
     const double life = f.life_min + uniform_from(bits(1)) * (f.life_max - f.life_min);
     const double death = birth + life;
     if (death <= time + dt) return;  // born and gone within one tick
-    Vector3 position = emitter.position + emitter.velocity * (birth - time);
+    Vector3 position = emitter.place(birth, time);
     position.x() += emitter.radius * (2.0 * uniform_from(bits(2)) - 1.0);
     position.z() += emitter.radius * (2.0 * uniform_from(bits(3)) - 1.0);
     Vector3 velocity =
@@ -182,25 +207,23 @@ void emit_from_node(const Params& params, std::uint64_t seed, std::size_t sheet_
 
 }  // namespace
 
-bool lighter_lit(const LighterParams& lighter, double time, double dt) {
-    return lighter.on && time + dt > lighter.start && time < lighter.start + lighter.duration;
-}
-
-void advance_fire(const Params& params, std::uint64_t seed, double time, double dt,
-                  const std::vector<SheetState>& sheets,
+void advance_fire(const Params& params, const std::vector<LighterParams>& lighters,
+                  std::uint64_t seed, double time, double dt, const std::vector<SheetState>& sheets,
                   const std::vector<const ActiveNodes*>& active, FireState& fire,
                   StepCounters& counters) {
+    const Vector3 wind = wind_velocity(params.wind, time + 0.5 * dt);
     if (fire.size() > 0) {
         counters.particles_moved += static_cast<std::int64_t>(fire.size());
-        move_particles(params, dt, fire);
+        move_particles(params, wind, dt, fire);
         remove_dead(time + dt, fire);
     }
     const std::size_t older = fire.size();
-    const LighterParams& l = params.lighter;
-    if (lighter_lit(l, time, dt)) {
+    for (std::size_t i = 0; i < lighters.size(); ++i) {
+        const LighterParams& l = lighters[i];
+        if (!lighter_lit(l, time, dt)) continue;
         ++counters.emitters_visited;
         emit(params, seed,
-             {kLighterStream,
+             {lighter_stream(i),
               {l.x, l.y, l.z},
               Vector3::Zero(),
               l.radius,
@@ -208,7 +231,8 @@ void advance_fire(const Params& params, std::uint64_t seed, double time, double 
               l.start + l.duration,
               l.rate,
               l.speed,
-              l.strength},
+              l.strength,
+              l.path.empty() ? nullptr : &l},
              time, dt, fire, counters);
     }
     for (std::size_t s = 0; s < sheets.size() && params.fire.emission > 0; ++s) {
@@ -224,7 +248,7 @@ void advance_fire(const Params& params, std::uint64_t seed, double time, double 
                 emit_from_node(params, seed, s, sheet, n, time, dt, fire, counters);
         }
     }
-    fly_new(params, time + dt, older, fire);
+    fly_new(params, wind, time + dt, older, fire);
 }
 
 }  // namespace ember

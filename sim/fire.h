@@ -15,14 +15,12 @@ namespace ember {
 /// Moves every particle through [time, time + dt], removes those that die, and adds those that
 /// are born in it. Between collisions with nothing, a particle obeys
 ///     dv/dt = b u/u0 ŷ - γ v,   du/dt = -u/τ,   u = T - ambient
-/// whose solution is used exactly, with u frozen at its mean over the tick in the first.
+/// whose solution is used exactly, with u frozen at its mean over the tick in the first. In moving
+/// air: v is relative to the wind, which is frozen at the middle of the tick.
 /// `active`: the burning nodes of each sheet; nullptr to look for them at every node.
-void advance_fire(const Params& params, std::uint64_t seed, double time, double dt,
-                  const std::vector<SheetState>& sheets,
+void advance_fire(const Params& params, const std::vector<LighterParams>& lighters,
+                  std::uint64_t seed, double time, double dt, const std::vector<SheetState>& sheets,
                   const std::vector<const ActiveNodes*>& active, FireState& fire,
                   StepCounters& counters);
-
-/// Whether the lighter burns at some moment of [time, time + dt).
-[[nodiscard]] bool lighter_lit(const LighterParams& lighter, double time, double dt);
 
 }  // namespace ember

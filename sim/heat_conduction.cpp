@@ -114,8 +114,10 @@ void rebuild_conduction(const Lattice& lattice, const SheetState& sheet,
     op.none.assign(static_cast<std::size_t>(lattice.column_count), 0.0);
     fill_edges(lattice, network, Slot::Main, lattice.edge_conductance[0], op.main);
     fill_edges(lattice, network, Slot::Cross, lattice.edge_conductance[1], op.cross);
-    for (std::size_t i = 0; i < sites; ++i)
-        op.per_capacity[i] = 1.0 / heat_capacity(paper, sheet.initial_mass[i]);
+    for (std::size_t i = 0; i < sites; ++i) {
+        const double capacity = heat_capacity(paper, sheet.initial_mass[i]);
+        op.per_capacity[i] = capacity > 0 ? 1.0 / capacity : 0.0;  // where there is no paper
+    }
     find_limits(op);
     find_even(lattice, paper, op);
     op.model_row = find_model(

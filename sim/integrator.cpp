@@ -62,14 +62,14 @@ void run(const Mechanics& m, const StepControl& control, IntegratorScratch& s, T
     }
 }
 
-// The fire's force does not change during the tick.
-double work_of_fire(const SheetState& start, const Motion& end, const NodeLoads& loads) {
+// Of a force [N] that does not change during the tick.
+double work_of(const Vector3Array& force, const SheetState& start, const Motion& end) {
     const std::size_t n = start.position.size();
     double work = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-        work += loads.fire.x[i] * (end.x[i] - start.position.x[i]) +
-                loads.fire.y[i] * (end.x[n + i] - start.position.y[i]) +
-                loads.fire.z[i] * (end.x[2 * n + i] - start.position.z[i]);
+    for (std::size_t i = 0; i < force.size(); ++i) {
+        work += force.x[i] * (end.x[i] - start.position.x[i]) +
+                force.y[i] * (end.x[n + i] - start.position.y[i]) +
+                force.z[i] * (end.x[2 * n + i] - start.position.z[i]);
     }
     return work;
 }
@@ -82,7 +82,8 @@ TickWork integrate(const Mechanics& m, SheetState& sheet, const StepControl& con
     const std::int64_t evaluated_before = counters.right_hand_sides;
     prepare(m, control, scratch);
     run(m, control, scratch, work, counters);
-    work.fire = work_of_fire(sheet, scratch.present, m.loads);
+    work.fire = work_of(m.loads.fire, sheet, scratch.present);
+    work.wind = work_of(m.loads.wind, sheet, scratch.present);
     scratch.present.write(sheet);
     const auto springs =
         static_cast<std::int64_t>(m.network.weight.size() + m.network.extra.size());

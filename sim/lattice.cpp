@@ -95,6 +95,14 @@ std::array<Index, 2> find_ends(const Lattice& lattice, Slot kind, Index anchor) 
     return {anchor, lattice.site(far_row, far_column)};
 }
 
+// Quads exist only where there is paper.
+void number_cells(const SheetPlan& plan, Lattice& lattice) {
+    lattice.cell_count = 0;
+    lattice.cell_number.reserve(plan.paper.size());
+    for (const std::uint8_t paper : plan.paper)
+        lattice.cell_number.push_back(paper != 0 ? lattice.cell_count++ : kNone);
+}
+
 }  // namespace
 
 double reference_stiffness(double grammage, double per_weight) {
@@ -106,6 +114,13 @@ Index Lattice::sector_cell(Index site, int sector) const {
     const Index dr = sector >= 2 ? -1 : 0;
     const Index dc = sector == 1 || sector == 2 ? -1 : 0;
     return cell(r + dr, c + dc);
+}
+
+bool Lattice::has_paper(Index site) const {
+    for (int sector = 0; sector < 4; ++sector) {
+        if (sector_cell(site, sector) != kNone) return true;
+    }
+    return false;
 }
 
 Index Lattice::neighbour(Index site, int direction) const {
@@ -123,6 +138,8 @@ Lattice make_lattice(const SheetPlan& plan, const PaperParams& paper, const Spri
     lattice.border = plan.border;
     lattice.cell_rows = plan.rows;
     lattice.cell_columns = plan.columns;
+    lattice.cell_count = plan.rows * plan.columns;
+    if (!plan.paper.empty()) number_cells(plan, lattice);
     lattice.row_count = lattice.closed ? plan.rows : plan.rows + 1;
     lattice.column_count = plan.columns + 1;
     lattice.row_spacing = plan.width / plan.rows;

@@ -35,6 +35,8 @@ inline constexpr Index kSlotCount = 6;
 struct Lattice {
     Index row_count = 0, column_count = 0;  ///< sites
     Index cell_rows = 0, cell_columns = 0;  ///< quads; cell_rows == row_count when closed
+    Index cell_count = 0;                   ///< of these, cells that are paper
+    std::vector<Index> cell_number;         ///< of each cell, kNone in a hole; empty: no holes
     bool closed = false;                    ///< the last row is followed by the first
     Border border = Border::Tributary;
     double row_spacing = 0;                       ///< [m] d1, cross direction
@@ -59,12 +61,16 @@ struct Lattice {
     [[nodiscard]] Index slot(Slot kind, Index anchor) const {
         return static_cast<Index>(kind) * site_count() + anchor;
     }
-    /// The cell whose first corner is (row, column), or kNone.
+    /// The cell whose first corner is (row, column), or kNone outside the paper.
     [[nodiscard]] Index cell(Index row, Index column) const {
         const Index r = closed ? (row + row_count) % row_count : row;
         const bool inside = r >= 0 && r < cell_rows && column >= 0 && column < cell_columns;
-        return inside ? r * cell_columns + column : kNone;
+        if (!inside) return kNone;
+        const Index at = r * cell_columns + column;
+        return cell_number.empty() ? at : cell_number[static_cast<std::size_t>(at)];
     }
+    /// Whether the site has any paper around it.
+    [[nodiscard]] bool has_paper(Index site) const;
     /// Cell in sector k around a site: 0 between +x and +z, then on from +z to -x, and so forth.
     /// The site is that cell's corner number k.
     [[nodiscard]] Index sector_cell(Index site, int sector) const;

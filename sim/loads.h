@@ -7,9 +7,11 @@
 
 namespace ember {
 
-/// Collects gravity, the push of the fire, and air drag for one tick. `fire` may be empty.
+/// Collects gravity, the push of the fire, and air drag for one tick. `fire` may be empty. The drag
+/// is linear in v - W, W the wind at `middle` [s] of the tick, so W's part of it is one constant
+/// force more.
 void gather_loads(const Params& params, const SheetState& sheet, const NodeFire& fire,
-                  NodeLoads& loads);
+                  NodeLoads& loads, double middle = 0);
 
 /// Unit normals of all nodes [1], N: area-weighted over the quads of each node; zero where the
 /// quads have no area.

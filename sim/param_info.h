@@ -2,16 +2,21 @@
 // docs.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 #include "sim/units.h"
 
 namespace ember {
 
-/// A Choice is one of several names, a Set is any number of them.
-enum class ParamKind { Real, Integer, Toggle, Choice, Set };
+/// A Choice is one of several names, a Set is any number of them. A Text is free, a Table has rows
+/// of numbers. All but these two are numbers.
+enum class ParamKind { Real, Integer, Toggle, Choice, Set, Text, Table };
 enum class ParamScale { Linear, Logarithmic };
 enum class ParamApplies { Live, Rebuild };  ///< acts on the next step, or restarts the scene
 
@@ -22,6 +27,18 @@ struct ParamRange {
         return shown >= min && shown <= max;
     }
 };
+
+/// One column of a Table.
+struct ParamColumn {
+    std::string_view name;
+    Unit unit;
+    ParamRange range;        ///< allowed [shown unit]
+    bool ascending = false;  ///< every row's number must be above the one before
+};
+
+/// A value in SI: a number (toggles, choices and sets too), a text, or the rows of a table one
+/// after the other.
+using ParamValue = std::variant<double, std::string, std::vector<double>>;
 
 /// Everything that is known about one parameter except its default, which is the member
 /// initialiser of the field and is read from a default-constructed object.
@@ -38,8 +55,21 @@ struct ParamInfo {
     std::string_view source;                    ///< paper section, or "our choice"
     std::span<const std::string_view> choices;  ///< names of a Choice, in the order of its enum
     double (*get)(const void* object);          ///< value in SI (integers, toggles, choices as is)
-    void (*set)(void* object, double si);
+    void (*set)(void* object, double si);       ///< both null where the value is no number
     std::span<const unsigned> bits = {};  ///< of a Set: what each name in `choices` stands for
+    std::span<const ParamColumn> columns = {};              ///< of a Table
+    ParamValue (*get_other)(const void* object) = nullptr;  ///< of a Text or Table
+    void (*set_other)(void* object, const ParamValue& value) = nullptr;
+
+    [[nodiscard]] constexpr bool is_number() const { return get != nullptr; }
+    [[nodiscard]] ParamValue value(const void* object) const {
+        return is_number() ? ParamValue(get(object)) : get_other(object);
+    }
+    /// `value` must be of the row's type.
+    void assign(void* object, const ParamValue& value) const {
+        if (is_number()) return set(object, std::get<double>(value));
+        set_other(object, value);
+    }
 
     [[nodiscard]] double shown(const void* object) const { return unit.from_si(get(object)); }
     void set_shown(void* object, double value) const { set(object, unit.to_si(value)); }
@@ -47,10 +77,29 @@ struct ParamInfo {
     [[nodiscard]] constexpr std::string_view name() const { return key.substr(key.find('.') + 1); }
 };
 
+/// What one element of a list says differently from the group that all its elements share.
+struct ParamOverride {
+    const ParamInfo* row;
+    ParamValue value;
+    friend bool operator==(const ParamOverride&, const ParamOverride&) = default;
+};
+/// Of one element, ascending by row, each row at most once.
+using ParamOverrides = std::vector<ParamOverride>;
+
+/// Takes `row` = `value` into the overrides of an element.
+void put_override(ParamOverrides& overrides, const ParamInfo& row, ParamValue value);
+
+/// A list of overrides and the group whose rows its elements may set.
+struct ParamList {
+    std::string_view name, group;  ///< "sheets", "sheet"
+    std::vector<ParamOverrides>* elements;
+};
+
 /// A table of rows together with the object that they read and write.
 struct ParamBinding {
     std::span<const ParamInfo> rows;
     void* object;
+    std::vector<ParamList> lists = {};
 };
 
 namespace detail {
@@ -73,6 +122,38 @@ struct Access {
     }
     static void set(void* object, double value) {
         (static_cast<Root*>(object)->*Group).*Field = static_cast<Type>(value);
+    }
+};
+
+/// The same for texts, and for tables of rows of N numbers.
+template <auto Group, auto Field>
+struct OtherAccess {
+    using Root = typename MemberOf<Group>::Owner;
+    using Type = typename MemberOf<Field>::Type;
+    static const Type& field(const void* object) {
+        return (static_cast<const Root*>(object)->*Group).*Field;
+    }
+    static ParamValue get(const void* object) {
+        if constexpr (std::is_same_v<Type, std::string>) {
+            return field(object);
+        } else {
+            std::vector<double> numbers;
+            for (const auto& row : field(object))
+                numbers.insert(numbers.end(), row.begin(), row.end());
+            return numbers;
+        }
+    }
+    static void set(void* object, const ParamValue& value) {
+        Type& field = (static_cast<Root*>(object)->*Group).*Field;
+        if constexpr (std::is_same_v<Type, std::string>) {
+            field = std::get<std::string>(value);
+        } else {
+            const auto& numbers = std::get<std::vector<double>>(value);
+            constexpr std::size_t kColumns = std::tuple_size_v<typename Type::value_type>;
+            field.resize(numbers.size() / kColumns);
+            for (std::size_t i = 0; i < field.size() * kColumns; ++i)
+                field[i / kColumns][i % kColumns] = numbers[i];
+        }
     }
 };
 

@@ -1,14 +1,19 @@
 #include "sim/param_table.h"
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
+
+#include "sim/param_rows.h"
+#include "sim/scene.h"
 
 namespace ember {
 namespace {
 
+using namespace param_rows;
+
 using enum ParamScale;
 using enum ParamApplies;
-using detail::Access;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -50,95 +55,14 @@ constexpr std::string_view kIntegrators[] = {
 constexpr std::string_view kHeatSolvers[] = {"auto", "ftcs", "rkl2", "adi"};
 constexpr std::string_view kArithmetics[] = {"exact", "fast"};
 
-struct Text {
-    std::string_view help, source;
-};
-
-template <auto Group, auto Field>
-constexpr ParamInfo real(std::string_view key, std::string_view symbol, Unit unit, ParamRange hard,
-                         ParamRange tested, ParamScale scale, ParamApplies applies, Text text) {
-    return {key,
-            symbol,
-            unit,
-            ParamKind::Real,
-            hard,
-            tested,
-            scale,
-            applies,
-            text.help,
-            text.source,
-            {},
-            &Access<Group, Field>::get,
-            &Access<Group, Field>::set};
-}
-
-template <auto Group, auto Field>
-constexpr ParamInfo integer(std::string_view key, std::string_view symbol, ParamRange hard,
-                            ParamRange tested, ParamApplies applies, Text text) {
-    return {key,
-            symbol,
-            unit::one,
-            ParamKind::Integer,
-            hard,
-            tested,
-            Linear,
-            applies,
-            text.help,
-            text.source,
-            {},
-            &Access<Group, Field>::get,
-            &Access<Group, Field>::set};
-}
-
-template <auto Group, auto Field>
-constexpr ParamInfo toggle(std::string_view key, ParamApplies applies, Text text) {
-    return {key,
-            "",
-            unit::one,
-            ParamKind::Toggle,
-            {0, 1},
-            {0, 1},
-            Linear,
-            applies,
-            text.help,
-            text.source,
-            {},
-            &Access<Group, Field>::get,
-            &Access<Group, Field>::set};
-}
-
-template <auto Group, auto Field>
-constexpr ParamInfo choice(std::string_view key, std::span<const std::string_view> names,
-                           ParamApplies applies, Text text) {
-    const ParamRange all{0, static_cast<double>(names.size() - 1)};
-    return {key,
-            "",
-            unit::one,
-            ParamKind::Choice,
-            all,
-            all,
-            Linear,
-            applies,
-            text.help,
-            text.source,
-            names,
-            &Access<Group, Field>::get,
-            &Access<Group, Field>::set};
-}
-
-// Any of `names` together; `bits` says what each stands for.
-template <auto Group, auto Field>
-constexpr ParamInfo set_of(std::string_view key, std::span<const std::string_view> names,
-                           std::span<const unsigned> bits, ParamApplies applies, Text text) {
-    unsigned all = 0;
-    for (const unsigned b : bits)
-        all |= b;
-    ParamInfo row = choice<Group, Field>(key, names, applies, text);
-    row.kind = ParamKind::Set;
-    row.hard = row.tested = {0, static_cast<double>(all)};
-    row.bits = bits;
-    return row;
-}
+constexpr ParamRange kFar = {-10000, 10000};  // [mm]
+constexpr ParamColumn kHeldPoint[] = {{"main", unit::millimetre, {0, 10000}},
+                                      {"cross", unit::millimetre, {0, 10000}},
+                                      {"radius", unit::millimetre, {0, 10000}}};
+constexpr ParamColumn kKeyframe[] = {{"time", unit::second, {0, 3600}, true},
+                                     {"x", unit::millimetre, kFar},
+                                     {"y", unit::millimetre, kFar},
+                                     {"z", unit::millimetre, kFar}};
 
 using P = Params;
 
@@ -215,6 +139,11 @@ constexpr ParamInfo kRows[] = {
     real<&P::lighter, &LighterParams::duration>("lighter.duration", "", unit::second, {0, 3600},
                                                 {0.2, 10}, Linear, Live,
                                                 {"For how long it burns.", "Our choice"}),
+    table<&P::lighter, &LighterParams::path>(
+        "lighter.path", kKeyframe, Live,
+        {"Where it is when, instead of x, y, z: straight between keyframes, at rest before the "
+         "first and after the last.",
+         "Our choice"}),
     // ---- sheet -------------------------------------------------------------------------------
     real<&P::sheet, &SheetParams::width>("sheet.width", "z", unit::millimetre, {1, 10000},
                                          {20, 500}, Linear, Rebuild,
@@ -241,6 +170,40 @@ constexpr ParamInfo kRows[] = {
     set_of<&P::sheet, &SheetParams::held>(
         "sheet.held", kEdges, kEdgeBits, Rebuild,
         {"What is attached, and kept cold: one edge or corner, or a list of them.", "Sec. 5"}),
+    table<&P::sheet, &SheetParams::held_points>(
+        "sheet.held_points", kHeldPoint, Rebuild,
+        {"Points that are attached too, measured along the sheet from the corner where main_start "
+         "meets cross_start: the nearest node, and all within the radius.",
+         "Our choice"}),
+    text<&P::sheet, &SheetParams::mask>(
+        "sheet.mask", Rebuild,
+        {"A black-and-white PNG beside the preset: paper where it is white. Its x axis is the "
+         "cross direction, its y axis, downwards, the main direction.",
+         "Our choice"}),
+    text<&P::sheet, &SheetParams::name>("sheet.name", Rebuild,
+                                        {"What messages call the sheet.", "Our choice"}),
+    real<&P::sheet, &SheetParams::x>(
+        "sheet.x", "", unit::millimetre, kFar, {-500, 500}, Linear, Rebuild,
+        {"Moves the sheet to the right of where its pose puts it.", "Our choice"}),
+    real<&P::sheet, &SheetParams::y>("sheet.y", "", unit::millimetre, kFar, {-500, 500}, Linear,
+                                     Rebuild, {"Moves the sheet upwards.", "Our choice"}),
+    real<&P::sheet, &SheetParams::z>("sheet.z", "", unit::millimetre, kFar, {-500, 500}, Linear,
+                                     Rebuild,
+                                     {"Moves the sheet towards the viewer.", "Our choice"}),
+    real<&P::sheet, &SheetParams::turn_x>(
+        "sheet.turn_x", "",
+        unit::degree, {-360, 360}, {-180, 180}, Linear, Rebuild,
+        {"Turns the sheet about its middle, first around the x axis: its upper edge comes towards "
+         "the viewer.",
+         "Our choice"}),
+    real<&P::sheet, &SheetParams::turn_y>(
+        "sheet.turn_y", "",
+        unit::degree, {-360, 360}, {-180, 180}, Linear, Rebuild,
+        {"Then around the y axis, upright: its left edge comes towards the viewer.", "Our choice"}),
+    real<&P::sheet, &SheetParams::turn_z>(
+        "sheet.turn_z", "",
+        unit::degree, {-360, 360}, {-180, 180}, Linear, Rebuild,
+        {"Then around the z axis: anticlockwise for the viewer.", "Our choice"}),
     integer<&P::sheet, &SheetParams::count>("sheet.count", "", {1, 64}, {1, 4}, Rebuild,
                                             {"Sheets, one behind the other.", "Sec. 5"}),
     real<&P::sheet, &SheetParams::gap>("sheet.gap", "", unit::millimetre, {0, 1000}, {5, 50},
@@ -340,6 +303,24 @@ constexpr ParamInfo kRows[] = {
         {"Share of the air drag that acts along the sheet.", "Our choice"}),
     toggle<&P::world, &WorldParams::ground>(
         "world.ground", Live, {"Whether pieces come to rest on the ground.", "Our choice"}),
+    // ---- wind --------------------------------------------------------------------------------
+    real<&P::wind, &WindParams::x>(
+        "wind.x", "", unit::metre_per_second, {-100, 100}, {-2, 2}, Linear, Live,
+        {"Velocity of the air, to the right. It acts through world.air_drag and fire.drag.",
+         "Our choice"}),
+    real<&P::wind, &WindParams::y>("wind.y", "", unit::metre_per_second, {-100, 100}, {-2, 2},
+                                   Linear, Live, {"Velocity of the air, upwards.", "Our choice"}),
+    real<&P::wind, &WindParams::z>("wind.z", "", unit::metre_per_second, {-100, 100}, {-2, 2},
+                                   Linear, Live,
+                                   {"Velocity of the air, towards the viewer.", "Our choice"}),
+    real<&P::wind, &WindParams::gust>(
+        "wind.gust", "", unit::percent, {0, 1000}, {0, 100}, Linear, Live,
+        {"How much of it comes and goes: the wind is 1 + gust sin(2 pi t / period) times its "
+         "velocity.",
+         "Our choice"}),
+    real<&P::wind, &WindParams::gust_period>("wind.gust_period", "", unit::second, {0.01, 3600},
+                                             {0.5, 10}, Logarithmic, Live,
+                                             {"From gust to gust.", "Our choice"}),
     // ---- heat --------------------------------------------------------------------------------
     real<&P::heat, &HeatParams::ambient>("heat.ambient", "", unit::celsius, {-200, 500}, {0, 40},
                                          Linear, Rebuild,
@@ -508,6 +489,7 @@ static_assert(row_count(kRows, "sheet") == field_count<SheetParams>, "every fiel
 static_assert(row_count(kRows, "springs") == field_count<SpringParams>, "every field needs a row");
 static_assert(row_count(kRows, "plate") == field_count<PlateParams>, "every field needs a row");
 static_assert(row_count(kRows, "world") == field_count<WorldParams>, "every field needs a row");
+static_assert(row_count(kRows, "wind") == field_count<WindParams>, "every field needs a row");
 static_assert(row_count(kRows, "heat") == field_count<HeatParams>, "every field needs a row");
 static_assert(row_count(kRows, "burning") == field_count<BurningParams>, "every field needs a row");
 static_assert(row_count(kRows, "fire") == field_count<FireParams>, "every field needs a row");
@@ -518,7 +500,7 @@ static_assert(row_count(kRows, "fracture") == field_count<FractureParams>,
               "every field needs a row");
 static_assert(row_count(kRows, "numerics") == field_count<NumericsParams>,
               "every field needs a row");
-static_assert(field_count<Params> == 12, "every group needs rows and an assertion above");
+static_assert(field_count<Params> == 13 + 3, "every group needs rows and an assertion above");
 
 }  // namespace
 
@@ -527,7 +509,20 @@ std::span<const ParamInfo> sim_param_rows() {
 }
 
 ParamBinding bind(Params& params) {
-    return {kRows, &params};
+    return {kRows,
+            &params,
+            {{"sheets", "sheet", &params.sheets}, {"lighters", "lighter", &params.lighters}}};
+}
+
+ParamChange compare(const Params& a, const Params& b) {
+    ParamChange change = a.lighters == b.lighters ? ParamChange::None : ParamChange::Live;
+    if (a.sheets != b.sheets || a.masks != b.masks) return ParamChange::Rebuild;
+    for (const ParamInfo& row : kRows) {
+        if (row.value(&a) == row.value(&b)) continue;
+        if (row.applies == Rebuild) return ParamChange::Rebuild;
+        change = ParamChange::Live;
+    }
+    return change;
 }
 
 std::vector<std::string> plausibility_warnings(const Params& params) {
@@ -539,8 +534,15 @@ std::vector<std::string> plausibility_warnings(const Params& params) {
             "heat.flame_limit is not above burning.ignition: nothing can ignite");
     warn_if(params.fire.life_max < params.fire.life_min,
             "fire.life_max is below fire.life_min: particles live between the two all the same");
-    warn_if(params.sheet.held == HeldEdge::None && params.world.gravity > 0,
+    const auto loose = [](const SheetParams& sheet) {
+        return sheet.held == HeldEdge::None && sheet.held_points.empty();
+    };
+    const std::vector<SheetParams> sheets = sheets_of(params);
+    warn_if(std::all_of(sheets.begin(), sheets.end(), loose) && params.world.gravity > 0,
             "sheet.held is none: the sheet falls at once");
+    warn_if((params.wind.x != 0 || params.wind.y != 0 || params.wind.z != 0) &&
+                params.world.air_drag == 0,
+            "world.air_drag is 0: the wind does not move the paper");
     const double held_gravity = params.world.gravity * params.world.held_gravity;
     warn_if(held_gravity / params.springs.stiffness_scale > 0.1,
             "gravity over springs.stiffness_scale is above 0.1 m/s^2: the sheet hangs like rubber; "

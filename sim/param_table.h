@@ -16,6 +16,10 @@ namespace ember {
 /// The table bound to one object; `params` must outlive the binding.
 [[nodiscard]] ParamBinding bind(Params& params);
 
+/// What a change of parameters asks for.
+enum class ParamChange { None, Live, Rebuild };
+[[nodiscard]] ParamChange compare(const Params& a, const Params& b);
+
 /// What no range can express, one sentence each, e.g. a flame too cold to light anything.
 /// Such a scene runs, but probably not as meant. Shown by `check`, the window and the log.
 [[nodiscard]] std::vector<std::string> plausibility_warnings(const Params& params);

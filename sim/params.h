@@ -2,7 +2,14 @@
 // param_table.cpp.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/mask_image.h"
+#include "sim/param_info.h"
 
 namespace ember {
 
@@ -51,10 +58,15 @@ struct SheetParams {
     SheetShape shape = SheetShape::Flat;
     SheetPose pose = SheetPose::Hanging;
     HeldEdge held = HeldEdge::MainStart;
-    int count = 1;                 // sheets in the stack
-    double gap = 0.020;            // [m] between stacked sheets
-    double elevation = 0.450;      // [m] of the held edge above the ground
-    double imperfection = 0.0002;  // [m] amplitude of the initial waviness
+    std::vector<std::array<double, 3>> held_points;  // [m] along main, along cross, radius
+    std::string mask;                                // file of the picture of its outline
+    std::string name;                                // in messages
+    double x = 0, y = 0, z = 0;                      // [m] from where its pose puts it
+    double turn_x = 0, turn_y = 0, turn_z = 0;       // [rad] about its middle, in this order
+    int count = 1;                                   // sheets in the stack
+    double gap = 0.020;                              // [m] between stacked sheets
+    double elevation = 0.450;                        // [m] of the held edge above the ground
+    double imperfection = 0.0002;                    // [m] amplitude of the initial waviness
 };
 
 enum class StiffnessLaw : std::uint8_t { PerArea, PerNodeMass };
@@ -91,6 +103,13 @@ struct WorldParams {
     double air_drag = 0.3;              // [kg/(m^2 s)] across the sheet
     double air_drag_tangential = 0.15;  // [1] share of it along the sheet
     bool ground = true;                 // pieces come to rest at y = 0
+};
+
+/// The air's own motion.
+struct WindParams {
+    double x = 0, y = 0, z = 0;  // [m/s]
+    double gust = 0;             // [1] share of it that comes and goes
+    double gust_period = 2;      // [s]
 };
 
 /// Heat in the sheet (section 4.2, eqs. 2 and 3).
@@ -136,13 +155,14 @@ struct FireParams {
 /// The lighter (section 4.2, "Lighting the Paper").
 struct LighterParams {
     bool on = true;
-    double x = -0.100, y = 0.133, z = 0.0;  // [m]
-    double radius = 0.004;                  // [m] of its nozzle
-    double rate = 250.0;                    // [1/s]
-    double speed = 0.35;                    // [m/s]
-    double strength = 0.5;                  // [1]
-    double start = 0.0;                     // [s]
-    double duration = 1.5;                  // [s]
+    double x = -0.100, y = 0.133, z = 0.0;    // [m]
+    double radius = 0.004;                    // [m] of its nozzle
+    double rate = 250.0;                      // [1/s]
+    double speed = 0.35;                      // [m/s]
+    double strength = 0.5;                    // [1]
+    double start = 0.0;                       // [s]
+    double duration = 1.5;                    // [s]
+    std::vector<std::array<double, 4>> path;  // [s], [m] keyframes: time, x, y, z
 };
 
 enum class ShrinkRule : std::uint8_t { BothBurning, Half };
@@ -200,6 +220,7 @@ struct Params {
     SpringParams springs;
     PlateParams plate;
     WorldParams world;
+    WindParams wind;
     HeatParams heat;
     BurningParams burning;
     FireParams fire;
@@ -207,6 +228,9 @@ struct Params {
     ShrinkageParams shrinkage;
     FractureParams fracture;
     NumericsParams numerics;
+    // what each sheet and each lighter says differently; empty: there is what the group describes
+    std::vector<ParamOverrides> sheets, lighters;
+    std::vector<std::shared_ptr<const MaskImage>> masks;  // the pictures that sheet.mask names
 };
 
 }  // namespace ember

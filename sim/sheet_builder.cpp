@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
+#include "sim/held_places.h"
 #include "sim/math.h"
 #include "sim/plate.h"
 #include "sim/random.h"
+#include "sim/topology.h"
 
 namespace ember {
 namespace {
@@ -54,30 +55,26 @@ Vector3 place(const SheetPlan& plan, const Lattice& lattice, Index row, Index co
     return plan.origin + along * plan.main + (radius + ring) * out;
 }
 
-bool is_held(HeldEdge held, const Lattice& lattice, Index row, Index column) {
-    const bool start = column == 0, end = column == lattice.column_count - 1;
-    const bool first = row == 0, last = row == lattice.row_count - 1;
-    HeldEdge at = HeldEdge::None;
-    const auto add = [&at](bool there, HeldEdge place) {
-        if (there) at = at | place;
-    };
-    add(start, HeldEdge::MainStart);
-    add(end, HeldEdge::MainEnd);
-    add(first, HeldEdge::CrossStart);
-    add(last, HeldEdge::CrossEnd);
-    add(start && first, HeldEdge::CornerMainStartCrossStart);
-    add(start && last, HeldEdge::CornerMainStartCrossEnd);
-    add(end && first, HeldEdge::CornerMainEndCrossStart);
-    add(end && last, HeldEdge::CornerMainEndCrossEnd);
-    return (at & held) != HeldEdge::None;
-}
-
 // Mass of every site [kg].
 std::vector<double> site_masses(const SheetPlan& plan, const Lattice& lattice, double grammage) {
     const auto n = static_cast<std::size_t>(lattice.site_count());
-    if (plan.border == Border::Uniform) return std::vector<double>(n, lattice.node_weight);
-    const double quarter = 0.25 * grammage * lattice.row_spacing * lattice.column_spacing;
+    const bool whole = plan.paper.empty();
+    if (plan.border == Border::Uniform && whole) {
+        return std::vector<double>(n, lattice.node_weight);
+    }
+    const double cell = grammage * lattice.row_spacing * lattice.column_spacing;
     std::vector<double> mass(n, 0.0);
+    if (plan.border == Border::Uniform) {
+        Index sites = 0;
+        for (Index site = 0; site < lattice.site_count(); ++site)
+            sites += lattice.has_paper(site) ? 1 : 0;
+        for (Index site = 0; site < lattice.site_count(); ++site) {
+            if (lattice.has_paper(site))
+                mass[static_cast<std::size_t>(site)] = cell * lattice.cell_count / sites;
+        }
+        return mass;
+    }
+    const double quarter = 0.25 * cell;
     for (Index site = 0; site < lattice.site_count(); ++site) {
         for (int sector = 0; sector < 4; ++sector) {
             if (lattice.sector_cell(site, sector) != kNone) {
@@ -89,22 +86,6 @@ std::vector<double> site_masses(const SheetPlan& plan, const Lattice& lattice, d
 }
 
 }  // namespace
-
-void validate(const SheetPlan& plan) {
-    const auto require = [](bool condition, const char* message) {
-        if (!condition) throw std::invalid_argument(message);
-    };
-    require(plan.rows >= 1 && plan.columns >= 1,
-            "sheet.rows, sheet.columns: at least one cell each is needed");
-    require(plan.width > 0 && plan.height > 0, "sheet.width, sheet.height: must be above 0");
-    require(plan.shape != SheetShape::Cylinder || plan.rows >= 3,
-            "sheet.rows: a cylinder needs at least 3");
-    require(plan.shape != SheetShape::Cylinder || (plan.held & HeldEdge::BothMainEnds) == plan.held,
-            "sheet.held: a cylinder has no edges or corners but main_start and main_end");
-    constexpr std::int64_t kMostSites = 4096ll * 4096ll;
-    require((std::int64_t{plan.rows} + 1) * (std::int64_t{plan.columns} + 1) <= kMostSites,
-            "sheet.rows, sheet.columns: more than 4096 x 4096 nodes");
-}
 
 SheetState make_sheet(const SheetPlan& plan, const Lattice& lattice, const Params& params,
                       std::size_t sheet) {
@@ -121,7 +102,7 @@ SheetState make_sheet(const SheetPlan& plan, const Lattice& lattice, const Param
     state.burnout_time.assign(n, kNever);
     state.phase.assign(n, Phase::Unburnt);
     state.site.resize(n);
-    state.held.assign(n, 0);
+    state.held = held_sites(plan);
     state.glue.assign(n, 0);
     state.relief_until.assign(n, 0.0);
     state.quiet_ticks.assign(static_cast<std::size_t>(lattice.row_count), 0);
@@ -132,14 +113,15 @@ SheetState make_sheet(const SheetPlan& plan, const Lattice& lattice, const Param
         state.position.set(i, place(plan, lattice, row, column, seed, sheet));
         state.velocity.set(i, Vector3::Zero());
         state.site[i] = site;
-        state.held[i] = is_held(plan.held, lattice, row, column) ? 1 : 0;
+        // what is not there does not move either
+        if (!plan.paper.empty() && !lattice.has_paper(site)) state.held[i] = 1;
         for (int d = 0; d < 4; ++d) {
             const bool both = lattice.sector_cell(site, (d + 3) % 4) != kNone &&
                               lattice.sector_cell(site, d) != kNone;
             if (both) state.glue[i] = static_cast<std::uint8_t>(state.glue[i] | (1u << d));
         }
     }
-    state.quads.resize(static_cast<std::size_t>(lattice.cell_rows * lattice.cell_columns));
+    state.quads.resize(static_cast<std::size_t>(lattice.cell_count));
     for (Index site = 0; site < lattice.site_count(); ++site) {
         for (int sector = 0; sector < 4; ++sector) {
             const Index cell = lattice.sector_cell(site, sector);
@@ -152,8 +134,10 @@ SheetState make_sheet(const SheetPlan& plan, const Lattice& lattice, const Param
         state.rest_curvature.cross.assign(n, built_curvature(lattice));
         state.rest_curvature.twist.assign(n, 0.0);
     }
-    const bool any_held = std::find(state.held.begin(), state.held.end(), 1) != state.held.end();
-    state.piece_held.assign(n, any_held ? 1 : 0);
+    state.piece_held.assign(n, 0);
+    for (Index site = 0; site < lattice.site_count() && !plan.paper.empty(); ++site)
+        separate(lattice, state, site);
+    find_pieces(state);
     return state;
 }
 

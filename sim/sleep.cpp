@@ -12,7 +12,10 @@ Index row_of(const Lattice& lattice, const SheetState& sheet, std::size_t node) 
 }
 
 bool pushed(const NodeLoads& loads, std::size_t n) {
-    return loads.fire.x[n] != 0 || loads.fire.y[n] != 0 || loads.fire.z[n] != 0;
+    const auto pushes = [n](const Vector3Array& force) {
+        return n < force.size() && (force.x[n] != 0 || force.y[n] != 0 || force.z[n] != 0);
+    };
+    return pushes(loads.fire) || pushes(loads.wind);
 }
 
 bool rested(const SheetState& sheet, Index row, const NumericsParams& numerics) {

@@ -148,8 +148,10 @@ void weaken_springs(const Lattice& lattice, const SheetState& sheet, bool follow
                     ThreadPool& pool, SpringNetwork& network) {
     const std::size_t nodes = sheet.mass.size(), slots = network.weight.size();
     network.left.resize(nodes);
-    for (std::size_t n = 0; n < nodes; ++n)
-        network.left[n] = follows_mass ? sheet.mass[n] / sheet.initial_mass[n] : 1.0;
+    for (std::size_t n = 0; n < nodes; ++n) {
+        const bool paper = sheet.initial_mass[n] > 0;
+        network.left[n] = follows_mass && paper ? sheet.mass[n] / sheet.initial_mass[n] : 1.0;
+    }
     network.stiffness.resize(slots, 0.0);
     network.damping.resize(slots, 0.0);
     const double* left = network.left.data();

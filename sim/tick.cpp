@@ -8,6 +8,7 @@
 #include "sim/fire.h"
 #include "sim/fracture.h"
 #include "sim/ground.h"
+#include "sim/lighter.h"
 #include "sim/loads.h"
 #include "sim/shrinkage.h"
 #include "sim/sleep.h"
@@ -48,8 +49,8 @@ void run_fire(const Tick& t, StepCounters& counters) {
     t.work.active.clear();
     for (const SheetWorkspace& w : t.work.sheets)
         t.work.active.push_back(t.params.numerics.skip ? &w.active : nullptr);
-    advance_fire(t.params, static_cast<std::uint64_t>(t.params.numerics.seed), t.state.time, t.dt,
-                 t.state.sheets, t.work.active, t.state.fire, counters);
+    advance_fire(t.params, t.work.lighters, static_cast<std::uint64_t>(t.params.numerics.seed),
+                 t.state.time, t.dt, t.state.sheets, t.work.active, t.state.fire, counters);
 }
 
 void run_coupling(const Tick& t, StepCounters& counters) {
@@ -90,7 +91,7 @@ bool run_springs(const Tick& t, StepReport& report) {
         SheetState& sheet = t.state.sheets[s];
         SheetWorkspace& w = t.work.sheets[s];
         report.sheet = static_cast<Index>(s);
-        gather_loads(t.params, sheet, t.work.fire[s], w.loads);
+        gather_loads(t.params, sheet, t.work.fire[s], w.loads, t.state.time + 0.5 * t.dt);
         t.state.energy.loss_sleep +=
             find_awake_rows(w.lattice, t.params.numerics, w.loads, sheet, w.awake, report.counters);
         if (w.awake.spans.empty()) continue;
@@ -111,6 +112,7 @@ bool run_springs(const Tick& t, StepReport& report) {
             return false;
         }
         t.state.energy.work_fire += work.fire;
+        t.state.energy.work_wind += work.wind;
         t.state.energy.change_scheme += work.scheme;
         t.state.energy.loss_damping += work.damping;
         t.state.energy.loss_drag += work.drag;
@@ -237,6 +239,7 @@ StepReport run_tick(const Tick& t) {
 
 void refresh_derived(const Params& params, const WorldState& state, ThreadPool& pool,
                      Workspace& work) {
+    work.lighters = lighters_of(params);
     for (std::size_t s = 0; s < state.sheets.size(); ++s) {
         const SheetState& sheet = state.sheets[s];
         SheetWorkspace& w = work.sheets[s];

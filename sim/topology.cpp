@@ -37,7 +37,9 @@ Index split_node(SheetState& sheet, Index original, double share) {
     return static_cast<Index>(sheet.mass.size()) - 1;
 }
 
-// Gives every part of the fan of `site` a node of its own. Parts that already differ keep theirs.
+}  // namespace
+
+// Parts that already differ keep their nodes.
 Index separate(const Lattice& lattice, SheetState& sheet, Index site) {
     const auto parts = fan_parts(lattice, site, sheet.glue[static_cast<std::size_t>(site)]);
     Index added = 0;
@@ -66,8 +68,6 @@ Index separate(const Lattice& lattice, SheetState& sheet, Index site) {
     }
     return added;
 }
-
-}  // namespace
 
 std::array<int, 4> fan_parts(const Lattice& lattice, Index site, unsigned glue) {
     std::array<int, 4> label{};
@@ -141,7 +141,7 @@ Index find_pieces(SheetState& sheet) {
     Index pieces = 0;
     for (std::size_t n = 0; n < root.size(); ++n) {
         const auto r = static_cast<std::size_t>(find(static_cast<Index>(n)));
-        pieces += r == n ? 1 : 0;
+        pieces += r == n && sheet.initial_mass[n] > 0 ? 1 : 0;
         held[r] = static_cast<std::uint8_t>(held[r] | sheet.held[n]);
     }
     for (std::size_t n = 0; n < root.size(); ++n) {

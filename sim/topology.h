@@ -26,6 +26,11 @@ enum class CutLine : std::uint8_t { AlongMain, AlongCross };
 /// part, from 0, or -1 where there is no quad.
 [[nodiscard]] std::array<int, 4> fan_parts(const Lattice& lattice, Index site, unsigned glue);
 
+/// Gives every part of the fan of `site` that does not hang together with the others a copy of the
+/// node. Mass is shared by the number of quads; everything else is copied. Returns the number of
+/// nodes added.
+Index separate(const Lattice& lattice, SheetState& sheet, Index site);
+
 /// Cuts `site` along a line: clears the glue of the two edges on it and gives every part of the
 /// fan that has lost touch a copy of the node. Mass is shared by the number of quads; everything
 /// else is copied. Returns the number of nodes added: 0 when the site cannot open there.
@@ -36,7 +41,7 @@ Index cut_site(const Lattice& lattice, SheetState& sheet, Index site, CutLine li
 Index release_hinge(const Lattice& lattice, SheetState& sheet, Index site);
 
 /// Recomputes which nodes belong to a piece with a held node (SheetState::piece_held).
-/// Returns the number of pieces.
+/// Returns the number of pieces of paper.
 Index find_pieces(SheetState& sheet);
 
 }  // namespace ember

@@ -38,6 +38,7 @@ struct SheetWorkspace {
 
 struct Workspace {
     std::vector<SheetWorkspace> sheets;
+    std::vector<LighterParams> lighters;  ///< follow the parameters
     CouplingScratch coupling;
     std::vector<NodeTiles> tiles;            ///< of each sheet, once there is fire
     std::vector<const ActiveNodes*> active;  ///< of each sheet; nullptr to look at every node

@@ -1,10 +1,9 @@
 #include "sim/world.h"
 
-#include <stdexcept>
-
-#include "sim/fire.h"
+#include "sim/lighter.h"
 #include "sim/parallel.h"
 #include "sim/param_table.h"
+#include "sim/scene_check.h"
 #include "sim/sheet_builder.h"
 #include "sim/sleep.h"
 #include "sim/tick.h"
@@ -44,8 +43,7 @@ World::World(Scene scene, const Params& params, int threads)
       params_(params),
       work_(std::make_unique<Workspace>()),
       pool_(std::make_unique<ThreadPool>(threads)) {
-    for (const SheetPlan& plan : scene_.sheets)
-        validate(plan);
+    validate(scene_, caliper(params.paper));
     const auto seed = static_cast<std::uint64_t>(params.numerics.seed);
     for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
         SheetWorkspace& w = work_->sheets.emplace_back();
@@ -90,11 +88,7 @@ StepReport World::step(StageObserver* observer) {
 }
 
 bool World::apply(const Params& params) {
-    for (const ParamInfo& row : sim_param_rows()) {
-        if (row.applies == ParamApplies::Rebuild && row.get(&params) != row.get(&params_)) {
-            return false;
-        }
-    }
+    if (compare(params, params_) == ParamChange::Rebuild) return false;
     params_ = params;
     for (SheetState& sheet : state_.sheets)
         wake(sheet);
@@ -125,8 +119,7 @@ WorldView World::view() const {
     view.residual_mass = params_.burning.residual_mass;
     view.fire_temperature = params_.fire.temperature;
     view.ground = params_.world.ground;
-    view.lighter_lit = lighter_lit(params_.lighter, state_.time, tick_duration());
-    view.lighter = {params_.lighter.x, params_.lighter.y, params_.lighter.z};
+    view.lighters = lighters_at(state_.time);
     for (std::size_t s = 0; s < state_.sheets.size(); ++s) {
         view.sheets.push_back(
             view_of(state_.sheets[s], scene_.sheets[s], work_->sheets[s].lattice));
@@ -136,6 +129,10 @@ WorldView World::view() const {
                       fire.velocity.y, fire.velocity.z, fire.temperature, fire.birth,
                       fire.death,      fire.id};
     return view;
+}
+
+std::vector<LighterView> World::lighters_at(double time) const {
+    return view_lighters(work_->lighters, time, tick_duration());
 }
 
 std::vector<SpringSegment> World::springs(std::size_t sheet) const {
@@ -149,7 +146,7 @@ std::vector<SpringSegment> World::springs(std::size_t sheet) const {
 }
 
 World make_world(const Params& params, int threads) {
-    return World(make_scene(params.sheet), params, threads);
+    return World(make_scene(params), params, threads);
 }
 
 }  // namespace ember

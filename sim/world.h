@@ -19,8 +19,8 @@ class ThreadPool;
 /// A scene, its parameters and its state. Copyable through snapshot() only.
 class World {
   public:
-    /// Builds the scene at t = 0. Throws std::invalid_argument naming the key when `params` ask for
-    /// what cannot be built. `threads` changes speed, never results.
+    /// Builds the scene at t = 0. Throws SceneError naming the key when `params` ask for what
+    /// cannot be built. `threads` changes speed, never results.
     World(Scene scene, const Params& params, int threads = 1);
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
@@ -46,6 +46,8 @@ class World {
     [[nodiscard]] std::uint64_t hash() const;
 
     [[nodiscard]] WorldView view() const;
+    /// The lighters as they are at `time` [s].
+    [[nodiscard]] std::vector<LighterView> lighters_at(double time) const;
     /// The springs of one sheet as they are now.
     [[nodiscard]] std::vector<SpringSegment> springs(std::size_t sheet) const;
 
@@ -57,7 +59,7 @@ class World {
     std::unique_ptr<ThreadPool> pool_;
 };
 
-/// World of `params` alone: the scene that its sheet group describes.
+/// World of `params` alone: the scene that they describe.
 [[nodiscard]] World make_world(const Params& params, int threads = 1);
 
 }  // namespace ember

@@ -69,6 +69,7 @@ struct EnergyLedger {
     double initial = 0;                                  ///< kinetic + elastic + gravitational
     double kinetic = 0, elastic = 0, gravitational = 0;  ///< now
     double work_fire = 0;                                ///< by fire particles
+    double work_wind = 0;                                ///< by the air's own motion
     double change_scheme = 0;                            ///< see TickWork::scheme
     double initial_gravitational = 0;                    ///< its part in `initial`
     double scheme_settled = 0;                           ///< change_scheme after the last tick
@@ -149,6 +150,8 @@ void for_each_field(State& s, Visitor&& visit) {
     visit("energy.elastic", e.elastic), visit("energy.gravitational", e.gravitational);
     visit("energy.work_fire", e.work_fire), visit("energy.change_scheme", e.change_scheme),
         visit("energy.unaccounted", e.unaccounted);
+    // without wind it is no part of the state, whose hash is then what it always was
+    if (e.work_wind != 0) visit("energy.work_wind", e.work_wind);
     visit("energy.initial_gravitational", e.initial_gravitational);
     visit("energy.scheme_settled", e.scheme_settled), visit("energy.largest", e.largest),
         visit("energy.loss_damping", e.loss_damping);

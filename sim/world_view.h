@@ -29,7 +29,7 @@ struct SheetView {
     std::span<const double> vx, vy, vz;     ///< velocity [m/s], N
     std::span<const double> temperature;    ///< [K], N
     std::span<const double> mass;           ///< [kg], N
-    std::span<const double> initial_mass;   ///< [kg], N
+    std::span<const double> initial_mass;   ///< [kg], N; 0 where the sheet has no paper
     std::span<const double> burnout_time;   ///< [s], N; when the node burnt out, else +inf
     std::span<const Phase> phase;           ///< N
     std::span<const Index> site;            ///< N; row * column_count + column of each node
@@ -46,6 +46,12 @@ struct ParticleView {
     std::span<const std::uint64_t> id;     ///< stable while the particle lives; a random seed
 };
 
+/// One lighter.
+struct LighterView {
+    Vector3 position = Vector3::Zero();  ///< [m]
+    bool lit = false;
+};
+
 /// Valid until the world is stepped, restored or destroyed.
 struct WorldView {
     std::uint64_t tick = 0;
@@ -55,8 +61,7 @@ struct WorldView {
     double residual_mass = 0;     ///< [1] share of a node's mass that stays as ash
     double fire_temperature = 0;  ///< [K] of a particle at birth
     bool ground = false;          ///< a floor at y = 0
-    bool lighter_lit = false;
-    Vector3 lighter = Vector3::Zero();  ///< [m]
+    std::vector<LighterView> lighters;
     std::vector<SheetView> sheets;
     ParticleView particles;
 };

@@ -56,11 +56,14 @@ double distance_to_plane(const Vector3& eye, const Vector3& ray, const SheetPlan
 std::optional<Vector3> lighter_below(const SheetView& sheet, LighterSpot spot) {
     std::vector<Vector3> rim;
     double lowest = std::numeric_limits<double>::infinity();
+    const auto burns = [&](std::size_t n) {
+        return sheet.phase[n] != Phase::BurntOut && sheet.initial_mass[n] > 0;
+    };
     for (std::size_t n = 0; n < sheet.y.size(); ++n) {
-        if (sheet.phase[n] != Phase::BurntOut) lowest = std::min(lowest, sheet.y[n]);
+        if (burns(n)) lowest = std::min(lowest, sheet.y[n]);
     }
     for (std::size_t n = 0; n < sheet.y.size(); ++n) {
-        if (sheet.phase[n] != Phase::BurntOut && sheet.y[n] <= lowest + kRim) {
+        if (burns(n) && sheet.y[n] <= lowest + kRim) {
             rim.push_back({sheet.x[n], sheet.y[n], sheet.z[n]});
         }
     }
@@ -77,13 +80,13 @@ std::optional<Vector3> lighter_below(const SheetView& sheet, LighterSpot spot) {
     return Vector3(x, lowest - kBelow, nearest.z());
 }
 
-std::optional<Vector3> pick(const WorldView& world, const SheetParams& sheet, const Vector3& eye,
+std::optional<Vector3> pick(const WorldView& world, const Params& params, const Vector3& eye,
                             const Vector3& direction) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const SheetView& s : world.sheets)
         nearest = std::min(nearest, distance_to(eye, direction, s));
     if (std::isfinite(nearest)) return eye + nearest * direction;
-    const Scene scene = make_scene(sheet);
+    const Scene scene = make_scene(params);
     if (scene.sheets.empty()) return std::nullopt;
     const double level = distance_to_plane(eye, direction, scene.sheets.front());
     if (!(level > 0)) return std::nullopt;
@@ -95,6 +98,7 @@ void move_lighter(LighterParams& lighter, const Vector3& place, bool lit, double
     lighter.x = whole(place.x());
     lighter.y = whole(place.y());
     lighter.z = whole(place.z());
+    lighter.path.clear();  // put there by hand, it stays there
     if (lit) return;
     lighter.on = true;
     lighter.start = now;

@@ -18,10 +18,11 @@ enum class LighterSpot { LeftCorner, Middle, RightCorner };
 
 /// Where a ray first meets a sheet [m]; failing that, the plane in which the first sheet started,
 /// so that a click beside the paper lands level with it. Empty when it meets neither.
-[[nodiscard]] std::optional<Vector3> pick(const WorldView& world, const SheetParams& sheet,
+[[nodiscard]] std::optional<Vector3> pick(const WorldView& world, const Params& params,
                                           const Vector3& eye, const Vector3& direction);
 
-/// Moves the lighter and makes sure that it burns from `now` [s] on unless it does already.
+/// Moves the lighter, which leaves its path, and makes sure that it burns from `now` [s] on unless
+/// it does already.
 void move_lighter(LighterParams& lighter, const Vector3& place, bool lit, double now);
 
 }  // namespace ember

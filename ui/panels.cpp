@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/lighter.h"
 #include "sim/param_table.h"
 #include "ui/overlays.h"
 #include "ui/param_widgets.h"
@@ -74,6 +75,21 @@ bool rows_by_key(std::span<const std::string_view> keys, const ParamObjects& obj
     return apply;
 }
 
+// The rows of the first lighter, wherever it has them from.
+bool first_lighter(PanelModel& model) {
+    Params shown, preset;
+    const Params defaults;
+    shown.lighter = lighters_of(model.params).front();
+    preset.lighter = lighters_of(model.preset_params).front();
+    const LighterParams before = shown.lighter;
+    const bool apply = rows_by_key(kLighter, {&shown, &preset, &defaults});
+    const LighterParams& now = shown.lighter;
+    const bool moved = now.x != before.x || now.y != before.y || now.z != before.z;
+    if (moved) shown.lighter.path.clear();  // put there by hand, it stays there
+    set_lighter(model.params, 0, shown.lighter);
+    return apply;
+}
+
 void main_panel(PanelModel& model, PanelRequests& requests) {
     const Params defaults;
     const RenderParams render_defaults;
@@ -85,7 +101,7 @@ void main_panel(PanelModel& model, PanelRequests& requests) {
     bool apply = rows_by_key(kFirst, sim);
     ImGui::Spacing();
     ImGui::TextDisabled(model.stats.lighter_lit ? "Lighter, burning" : "Lighter, out");
-    apply = rows_by_key(kLighter, sim) || apply;
+    apply = first_lighter(model) || apply;
     lighter_buttons(model, requests);
     ImGui::Spacing();
     ImGui::TextDisabled("Everything else");

@@ -80,6 +80,11 @@ std::string shown_range(const ParamInfo& row, ParamRange range) {
 }
 
 std::string shown_value(const ParamInfo& row, const void* object) {
+    if (row.kind == ParamKind::Text) return std::get<std::string>(row.value(object));
+    if (row.kind == ParamKind::Table) {
+        const auto numbers = std::get<std::vector<double>>(row.value(object)).size();
+        return std::to_string(numbers / row.columns.size()) + " rows";
+    }
     const double value = row.get(object);
     switch (row.kind) {
         case ParamKind::Toggle:
@@ -90,6 +95,8 @@ std::string shown_value(const ParamInfo& row, const void* object) {
             return set_text(row, static_cast<unsigned>(value));
         case ParamKind::Integer:
         case ParamKind::Real:
+        case ParamKind::Text:
+        case ParamKind::Table:
             break;
     }
     return with_unit(number(row.shown(object)), row);

@@ -117,7 +117,11 @@ bool value_widget(const ParamInfo& row, const ParamObjects& objects) {
         case ParamKind::Integer:
         case ParamKind::Real:
             return number_widget(row, objects);
+        case ParamKind::Text:
+        case ParamKind::Table:
+            break;
     }
+    ImGui::TextUnformatted(shown_value(row, objects.edited).c_str());  // set in presets
     return false;
 }
 
@@ -156,13 +160,13 @@ void tooltip(const ParamInfo& row, const ParamObjects& o) {
 bool reset_menu(const ParamInfo& row, const ParamObjects& o) {
     if (!ImGui::BeginPopup("menu")) return false;
     bool changed = false;
-    const auto offer = [&](const std::string& text, double value) {
-        if (!ImGui::MenuItem(text.c_str(), nullptr, false, row.get(o.edited) != value)) return;
-        row.set(o.edited, value);
+    const auto offer = [&](const std::string& text, const ParamValue& value) {
+        if (!ImGui::MenuItem(text.c_str(), nullptr, false, row.value(o.edited) != value)) return;
+        row.assign(o.edited, value);
         changed = true;
     };
-    offer("Reset to the preset: " + shown_value(row, o.preset), row.get(o.preset));
-    offer("Reset to the default: " + shown_value(row, o.defaults), row.get(o.defaults));
+    offer("Reset to the preset: " + shown_value(row, o.preset), row.value(o.preset));
+    offer("Reset to the default: " + shown_value(row, o.defaults), row.value(o.defaults));
     if (std::isinf(row.hard.max)) offer("No limit", std::numeric_limits<double>::infinity());
     ImGui::EndPopup();
     return changed;
@@ -172,10 +176,10 @@ bool reset_menu(const ParamInfo& row, const ParamObjects& o) {
 bool label(const ParamInfo& row, const ParamObjects& o) {
     const float size = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const bool edited = row.get(o.edited) != row.get(o.preset);
+    const bool edited = row.value(o.edited) != row.value(o.preset);
     ImGui::InvisibleButton("label", ImVec2(size * kLabelWidth, height));
     const bool reset = edited && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
-    if (reset) row.set(o.edited, row.get(o.preset));
+    if (reset) row.assign(o.edited, row.value(o.preset));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float middle = corner.y + 0.5f * height;
     const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
@@ -229,7 +233,7 @@ bool param_groups(std::span<const ParamInfo> rows, const ParamObjects& objects,
                std::ranges::count(elsewhere, row.key) == 0;
     };
     const auto edited = [&](const ParamInfo& row) {
-        return shown(row) && row.get(objects.edited) != row.get(objects.preset);
+        return shown(row) && row.value(objects.edited) != row.value(objects.preset);
     };
     bool apply = false, open = false;
     std::string_view group;

@@ -23,16 +23,12 @@ bool in_range(const ParamInfo& row, double shown) {
 // The first value that its row does not allow, as a sentence; empty when there is none.
 std::string range_error(const Params& params) {
     for (const ParamInfo& row : sim_param_rows()) {
+        if (!row.is_number()) continue;  // nothing in the window changes them
         if (in_range(row, row.shown(&params))) continue;
         return std::string(row.key) + ": expected " + expected(row) + ", got " +
                value_text(row, &params);
     }
     return {};
-}
-
-bool same(const Params& a, const Params& b) {
-    return std::ranges::all_of(sim_param_rows(),
-                               [&](const ParamInfo& row) { return row.get(&a) == row.get(&b); });
 }
 
 std::string failure_text(const StepReport& report) {
@@ -108,7 +104,7 @@ double Session::until_next_tick() const {
 }
 
 EditOutcome Session::apply(const Params& params) {
-    if (same(params, world_.params())) {
+    if (compare(params, world_.params()) == ParamChange::None) {
         if (!stopped_) message_.clear();  // of an edit that has been taken back
         return EditOutcome::Unchanged;
     }
@@ -142,9 +138,10 @@ SessionStats Session::stats() const {
     stats.substeps = substeps_;
     stats.caliper = caliper(params().paper);
     stats.dropped = dropped_;
-    stats.lighter_lit = world_.view().lighter_lit;
+    stats.lighter_lit = world_.view().lighters.front().lit;
     for (const SheetState& sheet : state.sheets) {
         for (std::size_t n = 0; n < sheet.glue.size(); ++n) {
+            if (sheet.initial_mass[n] == 0) continue;  // no paper
             stats.unburnt += sheet.phase[n] == Phase::Unburnt ? 1 : 0;
             stats.burning += sheet.phase[n] == Phase::Burning ? 1 : 0;
             stats.burnt_out += sheet.phase[n] == Phase::BurntOut ? 1 : 0;

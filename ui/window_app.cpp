@@ -13,6 +13,7 @@
 
 #include "render/camera.h"
 #include "render/renderer.h"
+#include "sim/lighter.h"
 #include "sim/param_table.h"
 #include "ui/imgui_painter.h"
 #include "ui/kept_picture.h"
@@ -147,7 +148,11 @@ class App {
 
     // A lighter that was lit by hand in mid-burn would leave the next burn waiting for it.
     void restart() {
-        if (lit_by_hand_) model_.params.lighter.start = model_.preset_params.lighter.start;
+        if (lit_by_hand_) {
+            LighterParams lighter = lighters_of(model_.params).front();
+            lighter.start = lighters_of(model_.preset_params).front().start;
+            set_lighter(model_.params, 0, lighter);
+        }
         lit_by_hand_ = false;
         apply();
         session_.restart();
@@ -162,8 +167,11 @@ class App {
 
     void place_lighter(const Vector3& place) {
         const WorldView view = session_.world().view();
-        lit_by_hand_ = lit_by_hand_ || !view.lighter_lit;
-        move_lighter(model_.params.lighter, place, view.lighter_lit, view.time);
+        const bool lit = view.lighters.front().lit;
+        lit_by_hand_ = lit_by_hand_ || !lit;
+        LighterParams lighter = lighters_of(model_.params).front();
+        move_lighter(lighter, place, lit, view.time);
+        set_lighter(model_.params, 0, lighter);
         apply();
     }
 
@@ -172,15 +180,14 @@ class App {
         const Camera camera = make_camera(model_.render.camera, width, height);
         const Vector3 ray = ray_through(camera, place.x, place.y, width, height).cast<double>();
         const auto hit =
-            pick(session_.world().view(), model_.params.sheet, camera.eye.cast<double>(), ray);
+            pick(session_.world().view(), model_.params, camera.eye.cast<double>(), ray);
         if (hit) place_lighter(*hit);
     }
 
     void obey(const PanelRequests& requests) {
         if (requests.apply_params) apply();
         if (requests.action) act(*requests.action);
-        const LighterParams& lighter = model_.params.lighter;
-        if (requests.light_now) place_lighter({lighter.x, lighter.y, lighter.z});
+        if (requests.light_now) place_lighter(session_.world().view().lighters.front().position);
         if (requests.lighter_spot) {
             const WorldView view = session_.world().view();
             const auto place = lighter_below(view.sheets.front(), *requests.lighter_spot);

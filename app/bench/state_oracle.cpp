@@ -86,7 +86,7 @@ std::string StateOracle::bad_mass(const WorldState& state) const {
         for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
             now += sheet.mass[n];
             initial += sheet.initial_mass[n];
-            if (!(sheet.mass[n] > 0))
+            if (!(sheet.mass[n] > 0) && sheet.initial_mass[n] != 0)
                 return "mass of node " + std::to_string(n) + " is not positive";
         }
     }
@@ -108,17 +108,19 @@ std::string StateOracle::bad_energy(const WorldState& state) {
         return compared("kinetic energy in the ledger", e.kinetic, kinetic);
     }
     fallen_ = std::max(fallen_, height_ - e.gravitational);
-    const double put_in = at_first_ + fallen_ + std::abs(e.work_fire) + std::abs(e.change_mass) +
-                          std::abs(e.change_rest_length) + std::abs(e.change_topology) +
-                          std::abs(e.change_edit) + std::abs(e.change_ground);
+    const double put_in = at_first_ + fallen_ + std::abs(e.work_fire) + std::abs(e.work_wind) +
+                          std::abs(e.change_mass) + std::abs(e.change_rest_length) +
+                          std::abs(e.change_topology) + std::abs(e.change_edit) +
+                          std::abs(e.change_ground);
     if (!(e.change_scheme <= put_in + kNoEnergy)) {
         return "the integrator holds " + short_text(e.change_scheme) + " J of energy, but only " +
                short_text(put_in) + " J were put in";
     }
     const double now = e.kinetic + e.elastic + e.gravitational;
-    const double accounted = e.initial + e.work_fire + e.change_scheme + e.change_ground +
-                             e.change_mass + e.change_rest_length + e.change_topology +
-                             e.change_edit - e.loss_damping - e.loss_drag - e.loss_sleep;
+    const double accounted = e.initial + e.work_fire + e.work_wind + e.change_scheme +
+                             e.change_ground + e.change_mass + e.change_rest_length +
+                             e.change_topology + e.change_edit - e.loss_damping - e.loss_drag -
+                             e.loss_sleep;
     // sums of large terms that cancel are only as exact as the largest of them
     const double rounding =
         1e-13 * (std::abs(e.initial) + std::abs(e.gravitational) + std::abs(e.change_edit)) +

@@ -19,7 +19,7 @@ std::string shown_value(const PresetValue& value) {
 }
 
 ParsedValue refuse(const ParamInfo& row, const PresetValue& value, const std::string& more = {}) {
-    return {0, "expected " + expected(row) + ", got " + shown_value(value) + more, {}};
+    return {0.0, "expected " + expected(row) + ", got " + shown_value(value) + more, {}};
 }
 
 double parsed(const std::string& text) {
@@ -82,6 +82,63 @@ std::string units_of(std::string_view dimension) {
     return list.empty() ? "no unit" : list;
 }
 
+// The row that one column of a table would be, were it a parameter of its own.
+ParamInfo column_row(const ParamInfo& row, const ParamColumn& column) {
+    ParamInfo single = row;
+    single.kind = ParamKind::Real;
+    single.unit = column.unit;
+    single.hard = single.tested = column.range;
+    return single;
+}
+
+std::string columns_text(const ParamInfo& row) {
+    std::string names, units;
+    for (const ParamColumn& column : row.columns) {
+        names += (names.empty() ? "" : ", ") + std::string(column.name);
+        units += (units.empty() ? "" : ", ") + std::string(column.unit.name);
+    }
+    return '[' + names + "] (" + units + ')';
+}
+
+// [[0, 1, 2, 3], ...]
+ParsedValue parse_table(const ParamInfo& row, const PresetValue& value) {
+    const auto* lines = std::get_if<PresetArray>(&value);
+    if (lines == nullptr) return refuse(row, value);
+    std::vector<double> numbers;
+    const std::size_t width = row.columns.size();
+    for (const PresetValue& line : lines->items) {
+        const auto* cells = std::get_if<PresetArray>(&line);
+        if (cells == nullptr || cells->items.size() != width) {
+            return refuse(
+                row, line,
+                cells == nullptr ? "" : " of " + std::to_string(cells->items.size()) + " values");
+        }
+        for (std::size_t i = 0; i < width; ++i) {
+            const ParamColumn& column = row.columns[i];
+            const ParsedValue cell = parse_value(column_row(row, column), cells->items[i]);
+            if (!cell.error.empty()) return {0.0, std::string(column.name) + ": " + cell.error, {}};
+            const double si = std::get<double>(cell.value);
+            const bool below = numbers.size() >= width && si <= numbers[numbers.size() - width];
+            if (column.ascending && below) {
+                return {
+                    0.0, "expected each " + std::string(column.name) + " above the one before", {}};
+            }
+            numbers.push_back(si);
+        }
+    }
+    return {std::move(numbers), {}, {}};
+}
+
+std::string table_text(const ParamInfo& row, const std::vector<double>& numbers) {
+    std::string text;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::size_t column = i % row.columns.size();
+        text += column > 0 ? ", " : i > 0 ? "], [" : "[";
+        text += value_text(column_row(row, row.columns[column]), ParamValue(numbers[i]));
+    }
+    return '[' + text + (numbers.empty() ? "]" : "]]");
+}
+
 // "0.08 kg/m^2" into SI.
 ParsedValue parse_quantity(const ParamInfo& row, const std::string& text) {
     double number = 0;
@@ -137,16 +194,21 @@ std::string set_text(const std::vector<std::string_view>& names) {
 ParsedValue parse_value(const ParamInfo& row, const PresetValue& value) {
     if (row.kind == ParamKind::Choice) return parse_choice(row, value);
     if (row.kind == ParamKind::Set) return parse_set(row, value);
+    if (row.kind == ParamKind::Table) return parse_table(row, value);
+    if (row.kind == ParamKind::Text) {
+        const auto* words = std::get_if<std::string>(&value);
+        return words != nullptr ? ParsedValue{*words, {}, {}} : refuse(row, value);
+    }
     const auto* flag = std::get_if<bool>(&value);
     if (row.kind != ParamKind::Toggle && flag != nullptr) return refuse(row, value);
     if (row.kind == ParamKind::Toggle) {
         return flag != nullptr ? ParsedValue{*flag ? 1.0 : 0.0, {}, {}} : refuse(row, value);
     }
     ParsedValue result;
-    if (const auto* whole = std::get_if<std::int64_t>(&value)) {
-        result.si = row.unit.to_si(static_cast<double>(*whole));
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+        result.value = row.unit.to_si(static_cast<double>(*integer));
     } else if (const auto* real = std::get_if<double>(&value)) {
-        result.si = row.unit.to_si(*real);
+        result.value = row.unit.to_si(*real);
     } else {
         const auto* text = std::get_if<std::string>(&value);
         if (text == nullptr) return refuse(row, value);
@@ -154,8 +216,9 @@ ParsedValue parse_value(const ParamInfo& row, const PresetValue& value) {
         if (!result.error.empty()) return result;
     }
     // 15 digits: the conversion leaves noise in the last ones, which could miss the range's end
-    const double shown = rounded(row.unit.from_si(result.si));
-    const bool whole = row.kind != ParamKind::Integer || result.si == std::floor(result.si);
+    const double si = std::get<double>(result.value);
+    const double shown = rounded(row.unit.from_si(si));
+    const bool whole = row.kind != ParamKind::Integer || si == std::floor(si);
     if (!whole || !row.hard.contains(shown)) return refuse(row, value);
     if (!row.tested.contains(shown)) {
         result.warning = "outside what has been tried: " + range_text(row, row.tested);
@@ -167,6 +230,8 @@ std::string expected(const ParamInfo& row) {
     if (row.kind == ParamKind::Toggle) return "true or false";
     if (row.kind == ParamKind::Choice) return "one of " + names_text(row);
     if (row.kind == ParamKind::Set) return "one or a list of " + names_text(row);
+    if (row.kind == ParamKind::Text) return "a text";
+    if (row.kind == ParamKind::Table) return "a list of " + columns_text(row);
     return (row.kind == ParamKind::Integer ? "a whole number from " : "a number from ") +
            range_text(row, row.hard);
 }
@@ -200,23 +265,33 @@ std::string number_text(double value) {
     return exact_text(rounded(value));
 }
 
-std::string value_text(const ParamInfo& row, const void* object) {
-    const double si = row.get(object);
-    switch (row.kind) {
-        case ParamKind::Toggle:
-            return si != 0 ? "true" : "false";
-        case ParamKind::Choice:
-            return '"' + std::string(row.choices[static_cast<std::size_t>(si)]) + '"';
-        case ParamKind::Set:
-            return set_text(names_in_set(row, static_cast<unsigned>(si)));
-        case ParamKind::Integer:
-            return std::to_string(static_cast<std::int64_t>(si));
-        case ParamKind::Real:
-            break;
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
     }
+    return out + '"';
+}
+
+std::string value_text(const ParamInfo& row, const ParamValue& value) {
+    if (row.kind == ParamKind::Text) return quoted(std::get<std::string>(value));
+    if (row.kind == ParamKind::Table) {
+        return table_text(row, std::get<std::vector<double>>(value));
+    }
+    const double si = std::get<double>(value);
+    if (row.kind == ParamKind::Toggle) return si != 0 ? "true" : "false";
+    if (row.kind == ParamKind::Choice)
+        return quoted(std::string(row.choices[static_cast<std::size_t>(si)]));
+    if (row.kind == ParamKind::Set) return set_text(names_in_set(row, static_cast<unsigned>(si)));
+    if (row.kind == ParamKind::Integer) return std::to_string(static_cast<std::int64_t>(si));
     if (!std::isfinite(si)) return number_text(si);
     const std::string in_shown_unit = exact_quantity(row.unit, si);
     return in_shown_unit.empty() ? si_quantity(row.unit.dimension, si) : in_shown_unit;
+}
+
+std::string value_text(const ParamInfo& row, const void* object) {
+    return value_text(row, row.value(object));
 }
 
 }  // namespace ember

@@ -19,7 +19,7 @@ struct PresetArray {
 
 /// The value in SI, or why it is refused ("expected ..., got ...").
 struct ParsedValue {
-    double si = 0;
+    ParamValue value;
     std::string error;    ///< empty: accepted
     std::string warning;  ///< accepted, but outside the range that has been tried
 };
@@ -37,10 +37,14 @@ struct ParsedValue {
 /// "5 to 5000 g/m^2".
 [[nodiscard]] std::string range_text(const ParamInfo& row, ParamRange range);
 
-/// The present value of `row` in `object` as it would stand in a preset: the shortest text that
-/// reads back to the same bits, in the shown unit, or in SI with its unit where no number in the
-/// shown unit does.
+/// A value of `row` as it would stand in a preset: the shortest text that reads back to the same
+/// bits, in the shown unit, or in SI with its unit where no number in the shown unit does.
+[[nodiscard]] std::string value_text(const ParamInfo& row, const ParamValue& value);
+/// The present value in `object`.
 [[nodiscard]] std::string value_text(const ParamInfo& row, const void* object);
+
+/// A text as TOML writes it.
+[[nodiscard]] std::string quoted(const std::string& text);
 
 /// Shortest decimal text of a number that reads back to the same double, up to 15 digits.
 [[nodiscard]] std::string number_text(double value);

@@ -1,17 +1,14 @@
 #include "app/preset_io/preset_io.h"
 
-// toml++ 3.3 asserts that a table's name begins well, and reports it otherwise a line later: a bad
-// preset must be an error in debug builds too
-#define TOML_ASSERT(expression) static_assert(true)
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <tuple>
 
+#include "app/preset_io/param_target.h"
 #include "app/preset_io/parameter_value.h"
+#include "app/preset_io/toml_value.h"
 
 namespace ember {
 namespace {
@@ -19,28 +16,6 @@ namespace {
 constexpr std::int64_t kSchema = 1;
 constexpr std::uintmax_t kLargestFile = 1 << 20;  // [bytes]
 constexpr std::size_t kDeepestChain = 32;
-
-std::optional<PresetValue> value_of(const toml::node& node) {
-    if (const auto* array = node.as_array()) {
-        PresetArray list;
-        for (const toml::node& item : *array) {
-            const std::optional<PresetValue> value = value_of(item);
-            if (!value) return std::nullopt;
-            list.items.push_back(*value);
-        }
-        return PresetValue(std::move(list));
-    }
-    if (const auto* v = node.as_boolean()) return PresetValue(v->get());
-    if (const auto* v = node.as_integer()) return PresetValue(v->get());
-    if (const auto* v = node.as_floating_point()) return PresetValue(v->get());
-    if (const auto* v = node.as_string()) return PresetValue(v->get());
-    return std::nullopt;
-}
-
-std::string unknown_key(const std::string& key, std::span<const ParamBinding> bindings) {
-    const std::string near = nearest_key(key, bindings);
-    return "unknown key" + (near.empty() ? "" : "; did you mean " + near + "?");
-}
 
 // Reads one preset and what it inherits, collecting every problem.
 class Reader {
@@ -141,15 +116,44 @@ class Reader {
             (name == "title" ? result_.info.title : result_.info.description) = *text;
             return;
         }
+        if (const ParamList* list = find_list(name, bindings_)) {
+            read_list(*list, node);
+            return;
+        }
         const toml::table* group = node.as_table();
         if (group == nullptr) {
             unknown(key.source(), name);
             return;
         }
         if (group->empty() && !is_group(name)) unknown(key.source(), name);
-        for (const auto& [inner, value] : *group) {
+        for (const auto& [inner, value] : *group)
             apply(name + '.' + std::string(inner.str()), inner.source(), value);
+    }
+
+    // [[sheets]] and the like replace the whole list of what is inherited.
+    void read_list(const ParamList& list, const toml::node& node) {
+        const std::string name(list.name);
+        const toml::array* array = node.as_array();
+        if (array == nullptr || !(array->empty() || array->is_array_of_tables())) {
+            report(node.source(), name, "expected tables [[" + name + "]], one for each");
+            return;
         }
+        list.elements->assign(array->size(), {});
+        std::erase_if(result_.info.places,
+                      [&](const auto& place) { return place.first.starts_with(name + '.'); });
+        for (std::size_t i = 0; i < array->size(); ++i) {
+            const std::string element = name + '.' + std::to_string(i + 1);
+            const toml::table& table = *array->get(i)->as_table();
+            remember(element, table.source());
+            for (const auto& [inner, value] : table) {
+                apply(element + '.' + std::string(inner.str()), inner.source(), value);
+            }
+        }
+    }
+
+    void remember(const std::string& key, const toml::source_region& at) {
+        result_.info.places[key] = {file_, static_cast<int>(at.begin.line),
+                                    static_cast<int>(at.begin.column)};
     }
 
     void unknown(const toml::source_region& at, const std::string& key) {
@@ -157,16 +161,11 @@ class Reader {
     }
 
     void apply(const std::string& key, const toml::source_region& at, const toml::node& node) {
-        const ParamInfo* row = nullptr;
-        void* object = nullptr;
-        for (const ParamBinding& binding : bindings_) {
-            if ((row = find_param(binding.rows, key)) != nullptr) {
-                object = binding.object;
-                break;
-            }
-        }
+        std::string error;
+        const Target target = find_target(key, bindings_, error);
+        const ParamInfo* row = target.row;
         if (row == nullptr) {
-            unknown(at, key);
+            report(at, key, error);
             return;
         }
         const std::optional<PresetValue> value = value_of(node);
@@ -181,7 +180,8 @@ class Reader {
             report(node.source(), key, parsed.error);
             return;
         }
-        row->set(object, parsed.si);
+        target.assign(parsed.value);
+        remember(key, node.source());
         if (!parsed.warning.empty()) {
             report(node.source(), key, parsed.warning, Severity::Warning);
         }
@@ -200,17 +200,6 @@ class Reader {
     PresetResult& result_;
     std::string file_;
 };
-
-// Text as TOML would read it; what is no TOML value is a string that lacks its quotes.
-PresetValue override_value(const std::string& text) {
-    try {
-        const toml::table table = toml::parse("v = " + text);
-        if (table.size() == 1) return value_of(*table.get("v")).value_or(text);
-    } catch (const toml::parse_error&) {
-        // falls through to the bare string
-    }
-    return text;
-}
 
 }  // namespace
 
@@ -247,31 +236,6 @@ PresetResult load_preset(const std::filesystem::path& path,
                                 std::tie(b.file, b.line, b.column);
                      });
     return result;
-}
-
-std::vector<Diagnostic> apply_override(const std::string& assignment,
-                                       std::span<const ParamBinding> bindings,
-                                       const std::string& origin) {
-    using Severity = Diagnostic::Severity;
-    const auto diagnostic = [&](Severity severity, const std::string& key,
-                                const std::string& message) {
-        return std::vector<Diagnostic>{{severity, origin, 0, 0, key, message}};
-    };
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos) {
-        return diagnostic(Severity::Error, assignment, "expected key=value");
-    }
-    const std::string key = assignment.substr(0, equals), text = assignment.substr(equals + 1);
-    for (const ParamBinding& binding : bindings) {
-        const ParamInfo* row = find_param(binding.rows, key);
-        if (row == nullptr) continue;
-        const ParsedValue parsed = parse_value(*row, override_value(text));
-        if (!parsed.error.empty()) return diagnostic(Severity::Error, key, parsed.error);
-        row->set(binding.object, parsed.si);
-        if (parsed.warning.empty()) return {};
-        return diagnostic(Severity::Warning, key, parsed.warning);
-    }
-    return diagnostic(Severity::Error, key, unknown_key(key, bindings));
 }
 
 }  // namespace ember

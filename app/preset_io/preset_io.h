@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "sim/param_info.h"
+#include "sim/scene.h"
 
 namespace ember {
 
@@ -23,10 +25,19 @@ struct Diagnostic {
     [[nodiscard]] std::string excerpt() const;
 };
 
+/// Where something was said.
+struct PresetPlace {
+    std::string file;
+    int line = 0, column = 0;
+};
+
 struct PresetInfo {
     std::string title, description;
     std::filesystem::path path;
     std::vector<std::filesystem::path> chain;  ///< the file and what it inherits, nearest first
+    /// Of the value of every key that was set last: "sheet.rows", "sheets.2.rows", and "sheets.2"
+    /// for the element itself.
+    std::map<std::string, PresetPlace> places = {};
 };
 
 struct PresetResult {
@@ -45,6 +56,14 @@ struct PresetResult {
 [[nodiscard]] std::vector<Diagnostic> apply_override(const std::string& assignment,
                                                      std::span<const ParamBinding> bindings,
                                                      const std::string& origin = "--set");
+/// The same, and says in `info` where the value comes from.
+[[nodiscard]] std::vector<Diagnostic> apply_override(const std::string& assignment,
+                                                     std::span<const ParamBinding> bindings,
+                                                     const std::string& origin, PresetInfo& info);
+
+/// What cannot be built, where the preset says it: at the key, failing that at the group's key or
+/// the element.
+[[nodiscard]] Diagnostic place_error(const PresetInfo& info, const SceneError& error);
 
 /// Finds a preset by path or name, with or without ".toml": in `beside`, then among the built-in
 /// ones, as in "paper/corner". Empty when there is none.

@@ -6,15 +6,6 @@
 namespace ember {
 namespace {
 
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-    return out + '"';
-}
-
 // A cell of a table: '|' would end it.
 std::string cell(std::string_view text) {
     std::string out;
@@ -28,6 +19,7 @@ std::string cell(std::string_view text) {
 std::string range_cell(const ParamInfo& row, ParamRange range) {
     if (row.kind == ParamKind::Toggle) return "";
     if (!row.choices.empty()) return names_text(row);
+    if (row.kind == ParamKind::Text || row.kind == ParamKind::Table) return expected(row);
     return number_text(range.min) + " to " + number_text(range.max);
 }
 
@@ -35,7 +27,7 @@ std::string row_of(const ParamInfo& row, const void* object) {
     std::ostringstream out;
     out << "| `" << row.key << "` | " << cell(row.symbol) << " | " << value_text(row, object)
         << " | " << cell(row.unit.name) << " | " << range_cell(row, row.hard) << " | "
-        << (row.choices.empty() ? range_cell(row, row.tested) : "") << " | "
+        << (row.choices.empty() && row.is_number() ? range_cell(row, row.tested) : "") << " | "
         << (row.applies == ParamApplies::Live ? "live" : "rebuild") << " | " << cell(row.help)
         << " | " << cell(row.source) << " |\n";
     return out.str();
@@ -58,6 +50,15 @@ std::string preset_text(std::span<const ParamBinding> bindings, const PresetInfo
             out << row.name() << " = " << value_text(row, binding.object) << '\n';
         }
     }
+    for (const ParamBinding& binding : bindings) {
+        for (const ParamList& list : binding.lists) {
+            for (const ParamOverrides& element : *list.elements) {
+                out << "\n[[" << list.name << "]]\n";
+                for (const ParamOverride& o : element)
+                    out << o.row->name() << " = " << value_text(*o.row, o.value) << '\n';
+            }
+        }
+    }
     return out.str();
 }
 
@@ -67,7 +68,11 @@ std::string parameters_markdown(std::span<const ParamBinding> bindings) {
            "Generated from the parameter tables by `emberleaf params --markdown`; a test keeps it "
            "fresh.\n\nA bare number in a preset is in the unit shown; a string may carry another "
            "unit of the same kind, such as `\"0.08 kg/m^2\"`. *Live* parameters act at once, "
-           "*rebuild* ones restart the scene.\n";
+           "*rebuild* ones restart the scene.\n\nA scene of several sheets has one table "
+           "`[[sheets]]` "
+           "for each, and of several lighters `[[lighters]]`: each may set any key of `sheet` or "
+           "`lighter` for itself, and has the others from `[sheet]` or `[lighter]`. `--set` counts "
+           "them from 1, as in `sheets.2.width`.\n";
     std::string_view group;
     for (const ParamBinding& binding : bindings) {
         for (const ParamInfo& row : binding.rows) {

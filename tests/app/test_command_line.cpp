@@ -113,7 +113,7 @@ TEST(CommandLine, CheckSaysWhatIsWrongInEveryFile) {
     EXPECT_NE(mixed.err.find("bad.toml:3:1: error: paper.gramage"), std::string::npos);
     EXPECT_NE(mixed.err.find("missing: error: no such preset"), std::string::npos);
     EXPECT_NE(mixed.err.find("odd.toml:3:12: warning: paper.grammage"), std::string::npos);
-    EXPECT_NE(mixed.err.find("tube.toml: error: sheet.rows"), std::string::npos);
+    EXPECT_NE(mixed.err.find("tube.toml:4:8: error: sheet.rows"), std::string::npos);
     EXPECT_EQ(run_emberleaf({"check", EMBERLEAF_SOURCE "/presets/paper/corner.toml"}).code, 0);
 }
 

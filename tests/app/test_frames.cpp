@@ -158,7 +158,7 @@ TEST(StatsJson, HasARecordPerTickTotalsAndTheHash) {
     EXPECT_EQ(last.at("energy").at("elastic"), world.state().energy.elastic);
     EXPECT_EQ(last.at("energy").at("gravitational"), world.state().energy.gravitational);
     EXPECT_EQ(last.at("particles"), world.state().fire.size());
-    EXPECT_EQ(last.at("emitters"), nodes.burning + (world.view().lighter_lit ? 1 : 0));
+    EXPECT_EQ(last.at("emitters"), nodes.burning + (world.view().lighters.front().lit ? 1 : 0));
     EXPECT_GT(last.at("substeps"), 0);
     EXPECT_EQ(last.at("ms").size(), kStageCount);
     EXPECT_GT(last.at("ms").at("springs"), 0.0);

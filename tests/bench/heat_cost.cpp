@@ -41,7 +41,7 @@ struct Sheet {
         params.sheet.width = 0.2034375;
         params.sheet.height = 0.2908125;
         params.sheet.imperfection = 0;
-        const ember::Scene scene = ember::make_scene(params.sheet);
+        const ember::Scene scene = ember::make_scene(params);
         lattice = ember::make_lattice(scene.sheets[0], params.paper, params.springs, 1, 0);
         state = ember::make_sheet(scene.sheets[0], lattice, params, 0);
         ember::rebuild_network(lattice, state, network);

@@ -53,7 +53,7 @@ struct Rig {
     std::unique_ptr<ThreadPool> pool = std::make_unique<ThreadPool>(1);
     StepCounters counters;
 
-    explicit Rig(const Params& p) : params(p), scene(make_scene(p.sheet)) {
+    explicit Rig(const Params& p) : params(p), scene(make_scene(p)) {
         const auto seed = static_cast<std::uint64_t>(p.numerics.seed);
         lattice = make_lattice(scene.sheets[0], p.paper, p.springs, seed, 0);
         plate = make_plate(scene.sheets[0], lattice, p.paper, p.plate);

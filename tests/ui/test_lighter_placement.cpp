@@ -35,7 +35,7 @@ TEST(LighterPlacement, ARayMeetsThePaperWhereItHangs) {
     const Params params;
     const World world = make_world(params);
     const Vector3 eye(0.03, 0.3, 1.0), towards(0, 0, -1);
-    const auto hit = pick(world.view(), params.sheet, eye, towards);
+    const auto hit = pick(world.view(), params, eye, towards);
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->x(), 0.03, 1e-12);
     EXPECT_NEAR(hit->y(), 0.3, 1e-12);
@@ -45,10 +45,10 @@ TEST(LighterPlacement, ARayMeetsThePaperWhereItHangs) {
 TEST(LighterPlacement, ARayBesideThePaperMeetsItsPlane) {
     const Params params;
     const World world = make_world(params);
-    const auto hit = pick(world.view(), params.sheet, {0.5, 0.3, 1.0}, Vector3(0, 0, -1));
+    const auto hit = pick(world.view(), params, {0.5, 0.3, 1.0}, Vector3(0, 0, -1));
     ASSERT_TRUE(hit);
     EXPECT_NEAR((*hit - Vector3(0.5, 0.3, 0.0)).norm(), 0.0, 1e-12);
-    EXPECT_FALSE(pick(world.view(), params.sheet, {0.5, 0.3, 1.0}, Vector3(0, 0, 1)).has_value());
+    EXPECT_FALSE(pick(world.view(), params, {0.5, 0.3, 1.0}, Vector3(0, 0, 1)).has_value());
 }
 
 TEST(LighterPlacement, AMovedLighterBurnsFromNowOnUnlessItDoesAlready) {

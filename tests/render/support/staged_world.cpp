@@ -70,8 +70,7 @@ WorldView StagedWorld::view() const {
     view.residual_mass = kResidue;
     view.fire_temperature = kFlame;
     view.ground = ground;
-    view.lighter_lit = lighter_lit;
-    view.lighter = Vector3(-0.5 * width, kTop - height - 0.02, 0.0);
+    view.lighters = {{Vector3(-0.5 * width, kTop - height - 0.02, 0.0), lighter_lit}};
     view.sheets = {sheet};
     view.particles = {fire_x,  fire_y,           fire_z,     fire_vx,    fire_vy,
                       fire_vz, fire_temperature, fire_birth, fire_death, fire_id};

@@ -1,0 +1,77 @@
+#include "app/preset_io/mask_file.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#include <stb_image.h>
+
+namespace ember {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StbDelete {
+    void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
+};
+
+bool leads_out(const fs::path& path) {
+    return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
+}
+
+// The picture, or what is wrong with it.
+std::string read_mask(const fs::path& path, MaskImage& image) {
+    int width = 0, height = 0, channels = 0;
+    if (!fs::is_regular_file(path)) return "there is no file " + path.string();
+    if (stbi_info(path.c_str(), &width, &height, &channels) == 0)
+        return path.string() + " is no PNG: " + stbi_failure_reason();
+    const std::string size = std::to_string(width) + " x " + std::to_string(height);
+    if (width < 2 || height < 2)
+        return path.string() + " has " + size + " pixels, a picture needs 2 x 2";
+    if (static_cast<long long>(width) * height > kMostMaskPixels)
+        return path.string() + " has " + size + " pixels, more than 8192 x 8192";
+    const std::unique_ptr<stbi_uc, StbDelete> pixels(
+        stbi_load(path.c_str(), &width, &height, &channels, 2));  // grey and opacity
+    if (pixels == nullptr) return path.string() + " cannot be read: " + stbi_failure_reason();
+    image.width = width;
+    image.height = height;
+    const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    image.paper.resize(count);
+    bool any = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        image.paper[i] = pixels.get()[2 * i] >= 128 && pixels.get()[2 * i + 1] >= 128 ? 1 : 0;
+        any = any || image.paper[i] != 0;
+    }
+    return any ? "" : path.string() + " is black: there is no paper";
+}
+
+}  // namespace
+
+std::vector<Diagnostic> read_masks(Params& params, const PresetInfo& info) {
+    std::vector<Diagnostic> problems;
+    const std::vector<SheetParams> sheets = sheets_of(params);
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+        const std::string& name = sheets[i].mask;
+        const auto known = [&](const auto& mask) { return mask->name == name; };
+        if (name.empty() || std::any_of(params.masks.begin(), params.masks.end(), known)) continue;
+        const std::string key =
+            params.sheets.empty() ? "sheet.mask" : "sheets." + std::to_string(i + 1) + ".mask";
+        Diagnostic problem = place_error(info, SceneError(key, ""));
+        const fs::path said_in = problem.line > 0 ? fs::path(problem.file) : info.path;
+        auto image = std::make_shared<MaskImage>();
+        image->name = name;
+        problem.message = leads_out(name)
+                              ? "expected a file in the preset's own folder, got \"" + name + '"'
+                              : read_mask(said_in.parent_path() / name, *image);
+        if (problem.message.empty()) {
+            params.masks.push_back(std::move(image));
+        } else {
+            problems.push_back(std::move(problem));
+        }
+    }
+    return problems;
+}
+
+}  // namespace ember
