@@ -102,7 +102,7 @@ class Shot {
           source_(
               world, options.stats.empty() ? nullptr : stats_.observer(),
               [this](const StepReport& report) { note(report); },
-              preset.render.view.mode == ViewMode::Lattice) {
+              needs_springs(preset.render.view.mode)) {
         const PictureFormat format{size_.width, size_.height, preset.render.shot.fps, several,
                                    metadata(preset, renderer_)};
         for (const std::string& output : options.outputs)
@@ -191,7 +191,10 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
         ->type_name("AZIMUTH,ELEVATION,DISTANCE");
     command.add_option("--turntable", options.turntable, "turn the camera by so much in the shot")
         ->type_name("DEG");
-    command.add_option("--view", options.view, "beauty, lattice, temperature, mass or state")
+    command
+        .add_option("--view", options.view,
+                    "beauty, lattice, temperature, mass, state, stress or "
+                    "stiffness")
         ->type_name("MODE");
     command.add_flag("--no-flames", options.no_flames, "draw the sheet only");
     command.add_option("--msaa", options.msaa, "samples per pixel")

@@ -25,6 +25,7 @@ void point_at(const SheetState& state, SheetView& view) {
     view.temperature = state.temperature;
     view.mass = state.mass;
     view.initial_mass = state.initial_mass;
+    view.ignition_time = state.ignition_time;
     view.burnout_time = state.burnout_time;
     view.phase = state.phase;
     view.site = state.site;

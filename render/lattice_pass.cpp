@@ -7,25 +7,26 @@ struct LineVertex {
     float x, y, z, r, g, b;
 };
 
-// The paper's colours: structural springs blue and pink, diagonals yellow, bending springs dark;
-// springs between two burnt-out nodes are dimmed.
-Colour spring_colour(const SheetView& sheet, const SpringSegment& s) {
+// By kind; springs between two burnt-out nodes are dimmed.
+Colour colour_by_kind(const SheetView& sheet, const SpringSegment& s) {
     const auto row = [&](Index n) {
         return sheet.site[static_cast<std::size_t>(n)] / sheet.column_count;
     };
-    Colour colour(0.35f, 0.36f, 0.40f);
-    if (s.kind == SpringKind::Diagonal) colour = Colour(0.75f, 0.60f, 0.06f);
+    const auto both = [&](Phase phase) {
+        return sheet.phase[static_cast<std::size_t>(s.a)] == phase &&
+               sheet.phase[static_cast<std::size_t>(s.b)] == phase;
+    };
+    if (both(Phase::Burning)) return spring_colour(SpringColour::Burning);
+    Colour colour = spring_colour(SpringColour::Bending);
+    if (s.kind == SpringKind::Diagonal) colour = spring_colour(SpringColour::Diagonal);
     if (s.kind == SpringKind::Structural) {
-        colour = row(s.a) == row(s.b) ? Colour(0.08f, 0.30f, 0.95f) : Colour(0.95f, 0.20f, 0.45f);
+        colour = spring_colour(row(s.a) == row(s.b) ? SpringColour::Main : SpringColour::Cross);
     }
-    const auto burnt = [&](Index n) {
-        return sheet.phase[static_cast<std::size_t>(n)] == Phase::BurntOut;
-    };
-    const auto burning = [&](Index n) {
-        return sheet.phase[static_cast<std::size_t>(n)] == Phase::Burning;
-    };
-    if (burning(s.a) && burning(s.b)) return Colour(2.2f, 0.75f, 0.08f);
-    return burnt(s.a) && burnt(s.b) ? Colour(0.30f * colour) : colour;
+    return both(Phase::BurntOut) ? Colour(0.30f * colour) : colour;
+}
+
+Colour colour_by_stiffness(const SpringSegment& s) {
+    return mass_map((s.stiffness - kSoftest) / (kStiffest - kSoftest));
 }
 
 }  // namespace
@@ -40,6 +41,7 @@ LatticePass::LatticePass() {
 
 bool LatticePass::draw(const PassInput& in) {
     std::vector<LineVertex> lines;
+    const bool stiffness = in.params.view.mode == ViewMode::Stiffness;
     // bending springs first, so that the structural ones that cover them are seen
     for (const SpringKind kind :
          {SpringKind::Bending, SpringKind::Diagonal, SpringKind::Structural}) {
@@ -47,7 +49,9 @@ bool LatticePass::draw(const PassInput& in) {
             const SheetView& sheet = in.frame.world->sheets[s];
             for (const SpringSegment& spring : in.frame.springs[s]) {
                 if (spring.kind != kind) continue;
-                const Colour c = spring_colour(sheet, spring);
+                if (stiffness && kind != SpringKind::Structural) continue;
+                const Colour c =
+                    stiffness ? colour_by_stiffness(spring) : colour_by_kind(sheet, spring);
                 for (const Index node : {spring.a, spring.b}) {
                     const auto n = static_cast<std::size_t>(node);
                     lines.push_back({static_cast<float>(sheet.x[n]), static_cast<float>(sheet.y[n]),

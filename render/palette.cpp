@@ -1,12 +1,9 @@
 #include "render/palette.h"
 
-#include <algorithm>
 #include <span>
 
 namespace ember {
 namespace {
-
-constexpr double kScorchStart = 393.15;  // [K] paper begins to yellow
 
 struct Stop {
     double at;
@@ -24,17 +21,21 @@ Colour between_stops(std::span<const Stop> stops, double x) {
     return colour(stops.back());
 }
 
-constexpr Stop kAlbedo[] = {{0.00, 0.86f, 0.84f, 0.78f},    {0.15, 0.80f, 0.73f, 0.58f},
-                            {0.35, 0.48f, 0.33f, 0.17f},    {0.60, 0.13f, 0.070f, 0.030f},
-                            {0.85, 0.022f, 0.016f, 0.012f}, {1.00, 0.010f, 0.009f, 0.009f},
-                            {2.00, 0.012f, 0.012f, 0.012f}, {2.25, 0.020f, 0.020f, 0.021f},
-                            {3.00, 0.130f, 0.129f, 0.127f}, {4.00, 0.300f, 0.296f, 0.288f}};
+// Char is (22, 20, 18) of 255 in sRGB; the brown band is narrow.
+constexpr Stop kScorch[] = {{0.0, 0.0080f, 0.0070f, 0.0060f}, {0.8, 0.0130f, 0.0095f, 0.0070f},
+                            {1.8, 0.050f, 0.027f, 0.012f},    {3.0, 0.180f, 0.095f, 0.040f},
+                            {4.5, 0.420f, 0.280f, 0.140f},    {7.0, 0.660f, 0.550f, 0.390f},
+                            {12.0, 0.790f, 0.740f, 0.620f},   {20.0, 0.845f, 0.815f, 0.740f},
+                            {32.0, 0.860f, 0.840f, 0.780f}};
 
-// The rim is narrow and bright where a point has just ignited; behind it embers fade.
-constexpr Stop kGlow[] = {
-    {0.84, 0.0f, 0.0f, 0.0f},      {0.94, 0.9f, 0.13f, 0.010f},   {1.02, 3.4f, 1.15f, 0.17f},
-    {1.10, 2.0f, 0.44f, 0.04f},    {1.20, 0.45f, 0.062f, 0.005f}, {1.40, 0.085f, 0.010f, 0.001f},
-    {2.00, 0.035f, 0.0035f, 0.0f}, {2.35, 0.010f, 0.001f, 0.0f},  {2.60, 0.0f, 0.0f, 0.0f}};
+constexpr Stop kAsh[] = {
+    {0.0, 0.055f, 0.053f, 0.051f}, {0.5, 0.22f, 0.215f, 0.205f}, {1.0, 0.50f, 0.495f, 0.48f}};
+
+// The line is brightest where air reaches the hot char first, and fades behind.
+constexpr Stop kEmber[] = {{0.0, 0.0f, 0.0f, 0.0f},     {0.12, 1.6f, 0.30f, 0.02f},
+                           {0.35, 6.4f, 2.30f, 0.36f},  {0.60, 4.2f, 1.15f, 0.12f},
+                           {0.95, 1.3f, 0.20f, 0.012f}, {1.6, 0.25f, 0.022f, 0.001f},
+                           {2.6, 0.05f, 0.004f, 0.0f},  {4.0, 0.0f, 0.0f, 0.0f}};
 
 constexpr Stop kFlame[] = {{0.00, 0.000f, 0.000f, 0.000f}, {0.12, 0.010f, 0.001f, 0.000f},
                            {0.25, 0.070f, 0.012f, 0.002f}, {0.45, 0.340f, 0.095f, 0.012f},
@@ -51,25 +52,25 @@ constexpr Stop kMass[] = {{0.00, 0.058f, 0.001f, 0.090f},
                           {0.75, 0.105f, 0.560f, 0.130f},
                           {1.00, 0.980f, 0.800f, 0.020f}};
 
+constexpr Stop kStress[] = {{0.00, 0.010f, 0.040f, 0.210f},
+                            {0.25, 0.075f, 0.240f, 0.560f},
+                            {0.50, 0.780f, 0.780f, 0.750f},
+                            {0.75, 0.560f, 0.155f, 0.080f},
+                            {1.00, 0.175f, 0.010f, 0.025f}};
+
 }  // namespace
 
-double burn_progress(Phase phase, double temperature, double ignition, double burnt, double age) {
-    switch (phase) {
-        case Phase::Unburnt:
-            return std::clamp((temperature - kScorchStart) / (ignition - kScorchStart), 0.0, 1.0);
-        case Phase::Burning:
-            return 1.0 + std::clamp(burnt, 0.0, 1.0);
-        case Phase::BurntOut:
-            return std::min(2.0 + age / kAshTime, kBurnProgressEnd);
-    }
-    return 0.0;
+Colour scorched_albedo(double ahead) {
+    return between_stops(kScorch, ahead);
 }
-
-Colour paper_albedo(double p) {
-    return between_stops(kAlbedo, p);
+Colour ember_light(double behind) {
+    return between_stops(kEmber, behind);
 }
-Colour paper_glow(double p) {
-    return p < kGlow[0].at ? Colour::Zero() : between_stops(kGlow, p);
+Colour char_albedo() {
+    return scorched_albedo(0);
+}
+Colour ash_albedo(double pale) {
+    return between_stops(kAsh, pale);
 }
 Colour flame_colour(double u) {
     return between_stops(kFlame, u);
@@ -79,6 +80,26 @@ Colour heat_map(double x) {
 }
 Colour mass_map(double x) {
     return between_stops(kMass, x);
+}
+
+Colour stress_map(double x) {
+    return between_stops(kStress, x);
+}
+
+Colour spring_colour(SpringColour kind) {
+    switch (kind) {
+        case SpringColour::Main:
+            return {0.08f, 0.30f, 0.95f};
+        case SpringColour::Cross:
+            return {0.95f, 0.20f, 0.45f};
+        case SpringColour::Diagonal:
+            return {0.75f, 0.60f, 0.06f};
+        case SpringColour::Bending:
+            return {0.35f, 0.36f, 0.40f};
+        case SpringColour::Burning:
+            return {2.2f, 0.75f, 0.08f};
+    }
+    return Colour::Zero();
 }
 
 Colour phase_colour(Phase phase) {

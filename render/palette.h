@@ -1,11 +1,8 @@
 // Colours of burning paper, of flames and of quantities: pure, and the only place they are defined.
 //
-// Paper is coloured along one coordinate, the burn progress p of a point:
-//     0 .. 1   unburnt, from 120 degC to ignition      paper, scorch, brown
-//     1 .. 2   burning, by the mass already lost       black char with a glowing rim
-//     2 .. 4   burnt out, by the time since            black char turning to pale ash
-// The shaders look the same tables up in textures. All colours are linear RGB; 1 is white paper in
-// studio light.
+// Burning paper is coloured by distances on the unburnt sheet, in millimetres: ahead of the line
+// where it chars, and behind the line where char burns out, which glows. The shaders look the same
+// tables up in textures. All colours are linear RGB; 1 is white paper in studio light.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,17 +15,17 @@ namespace ember {
 
 using Colour = Eigen::Vector3f;
 
-inline constexpr double kBurnProgressEnd = 4.0;
-inline constexpr double kAshTime = 2.5;  ///< [s] per unit of p after burning out
+/// Reflectance of paper `ahead` [mm] of the char line: char, brown, scorch, white.
+inline constexpr double kScorchEnd = 32.0;  ///< [mm] everything is white from here on
+[[nodiscard]] Colour scorched_albedo(double ahead);
 
-/// Burn progress of a node. temperature and ignition [K], burnt: share of the combustible mass that
-/// is gone [1], age: time since the node burnt out [s].
-[[nodiscard]] double burn_progress(Phase phase, double temperature, double ignition, double burnt,
-                                   double age);
+/// Light of the ember line `behind` [mm] its front.
+inline constexpr double kEmberEnd = 4.0;  ///< [mm] dark from here on
+[[nodiscard]] Colour ember_light(double behind);
 
-/// Diffuse reflectance at burn progress p, and the light that glowing paper emits there.
-[[nodiscard]] Colour paper_albedo(double p);
-[[nodiscard]] Colour paper_glow(double p);
+/// Reflectance of char, and of ash by how far it has paled, 0 to 1.
+[[nodiscard]] Colour char_albedo();
+[[nodiscard]] Colour ash_albedo(double pale);
 
 /// Light of a fire particle by its heat u: 1 at birth temperature, 0 at ambient.
 [[nodiscard]] Colour flame_colour(double u);
@@ -36,9 +33,18 @@ inline constexpr double kAshTime = 2.5;  ///< [s] per unit of p after burning ou
 /// Flat colour of a phase in the state view.
 [[nodiscard]] Colour phase_colour(Phase phase);
 
-/// Perceptual colour maps over [0, 1]: heat for temperatures, mass for shares.
+/// Springs in the lattice view: the paper's colours, and what burns.
+enum class SpringColour { Main, Cross, Diagonal, Bending, Burning };
+[[nodiscard]] Colour spring_colour(SpringColour kind);
+
+/// Perceptual colour maps over [0, 1]: heat for temperatures, mass for shares, and stress from
+/// pushed through nothing, the lightest, to pulled.
 [[nodiscard]] Colour heat_map(double x);
 [[nodiscard]] Colour mass_map(double x);
+[[nodiscard]] Colour stress_map(double x);
+
+inline constexpr double kHottest = 1100.0;                ///< [degC] end of the temperature scale
+inline constexpr double kSoftest = 0.9, kStiffest = 1.1;  ///< [1] ends of the stiffness scale
 
 inline constexpr int kTableSize = 256;
 /// A function of [0, end] sampled at kTableSize points, for a texture.

@@ -7,6 +7,7 @@
 #include "render/camera.h"
 #include "render/flame_lights.h"
 #include "render/gl_objects.h"
+#include "render/legend.h"
 #include "render/lighting.h"
 #include "render/palette.h"
 #include "render/renderer.h"
@@ -68,21 +69,29 @@ class LighterPass {
 /// The sheets as lit quads, or coloured by a quantity.
 class SheetPass {
   public:
-    SheetPass();
-    /// Brings the buffers up to date; whether there is anything to draw.
-    [[nodiscard]] bool prepare(const WorldView& world);
+    explicit SheetPass(int samples);
+    /// Brings the buffers up to date for a picture `height` pixels high; whether there is anything to
+    /// draw.
+    [[nodiscard]] bool prepare(const Frame& frame, const RenderParams& params, int height);
     void draw(const PassInput& in);
-    /// Draws the triangles with the program in use; only positions are of interest.
+    /// Draws the triangles with the program in use; attribute 0 is the position.
     void draw_triangles() const;
 
   private:
-    Program program_{"sheet"};
-    Texture albedo_, glow_, heat_, mass_, fibre_;
+    void upload_topology(const WorldView& world, double pixels_per_metre);
+    void draw_paper(const PassInput& in);
+    void draw_quantity(const PassInput& in);
+    [[nodiscard]] const Texture& artwork(Artwork print) const;
+    int samples_;
+    Program paper_{"sheet"}, quantity_{"sheet", "quantity"};
+    Texture scorch_, ember_, heat_, mass_, stress_, fibre_, crackle_;
+    Texture letter_, music_, blank_;
     VertexArray array_;
-    Buffer vertices_, indices_;
+    Buffer vertices_, points_, indices_;
     std::vector<SheetVertex> packed_;
-    std::vector<std::uint32_t> triangles_;
-    std::vector<std::uint64_t> uploaded_;  ///< topology that the index buffer holds
+    std::vector<std::uint64_t> uploaded_;  ///< topology that points and indices hold
+    int level_ = 1;                        ///< of the patches
+    GLsizei index_count_ = 0;
 };
 
 /// What the studio lamp sees of the paper, blurred, so that shadows are soft.
@@ -103,7 +112,7 @@ class ShadowPass {
     int size_ = 0;
 };
 
-/// Springs as lines by kind (figures 4 and 6 of the paper).
+/// Springs as lines, by kind (figures 4 and 6 of the paper) or by stiffness (figure 3).
 class LatticePass {
   public:
     LatticePass();
@@ -111,6 +120,20 @@ class LatticePass {
 
   private:
     Program program_{"lines"};
+    VertexArray array_;
+    Buffer vertices_;
+};
+
+/// What the colours of a view mean, over the developed picture.
+class LegendPass {
+  public:
+    LegendPass();
+    /// Draws into framebuffer `target`.
+    void draw(const PassInput& in, const Legend& legend, unsigned target);
+
+  private:
+    Program program_{"legend"};
+    Texture font_;
     VertexArray array_;
     Buffer vertices_;
 };

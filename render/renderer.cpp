@@ -35,13 +35,14 @@ struct Renderer::Passes {
     SheetPass sheets;
     ShadowPass shadow;
     LatticePass lattice;
+    LegendPass legend;
     FirePass fire;
     FilmPass film;
     Texture read_colour;
     Framebuffer read_target;
     PassCounters counters;
 
-    Passes(GlLoader loader, int samples) : gl(loader), film(samples) {}
+    Passes(GlLoader loader, int samples) : gl(loader), sheets(samples), film(samples) {}
 
     template <class Pass>
     static void run(int& counter, const Pass& pass) {
@@ -64,8 +65,9 @@ void Renderer::draw(const Frame& frame, const RenderParams& params, int width, i
     const Bounds bounds = bounds_of(world);
     const Eigen::Matrix4f to_shadow = shadow_from_world(bounds, lighting.key_direction);
     const bool beauty = params.view.mode == ViewMode::Beauty;
-    const bool lattice = params.view.mode == ViewMode::Lattice;
-    const bool paper = !lattice && p.sheets.prepare(world);
+    const bool lattice =
+        params.view.mode == ViewMode::Lattice || params.view.mode == ViewMode::Stiffness;
+    const bool paper = !lattice && p.sheets.prepare(frame, params, height);
     const bool shadow = paper && beauty && params.look.key_light > 0;
     const PassInput in{frame,    params, camera,    lights,
                        lighting, bounds, to_shadow, shadow ? p.shadow.texture() : p.shadow.none(),
@@ -87,6 +89,8 @@ void Renderer::draw(const Frame& frame, const RenderParams& params, int width, i
     const bool fire = params.view.flames && beauty && !world.particles.x.empty();
     if (fire) p.run(p.counters.fire, [&] { p.fire.draw(in, p.film.depth()); });
     p.film.develop(in, fire ? &p.fire.texture() : nullptr, target);
+    const Legend legend = legend_of(params.view);
+    if (!legend.empty()) p.run(p.counters.legend, [&] { p.legend.draw(in, legend, target); });
     ++p.counters.frames;
 }
 

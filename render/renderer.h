@@ -25,13 +25,14 @@ using GlLoader = void (*(*)(const char* name))();
 /// What one frame shows. Spans must stay valid during draw().
 struct Frame {
     const WorldView* world = nullptr;
-    /// Springs per sheet; needed only by ViewMode::Lattice, else may be empty.
+    /// Springs per sheet; only for modes that needs_springs() tells, else may be empty.
     std::span<const std::vector<SpringSegment>> springs;
 };
 
 /// How often each pass has run; a pass with nothing to draw does not.
 struct PassCounters {
-    int frames = 0, shadow = 0, ground = 0, lighter = 0, sheets = 0, lattice = 0, fire = 0;
+    int frames = 0, shadow = 0, ground = 0, lighter = 0, sheets = 0, lattice = 0, fire = 0,
+        legend = 0;
 };
 
 /// Owns every GL object. One per GL context; the context must be current in every call, the

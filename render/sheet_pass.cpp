@@ -1,7 +1,10 @@
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "render/assets.h"
 #include "render/passes.h"
+#include "render/quantity.h"
 
 namespace ember {
 
@@ -13,70 +16,148 @@ Texture table_texture(Colour (*function)(double), double end) {
     return texture;
 }
 
-SheetPass::SheetPass()
-    : albedo_(table_texture(paper_albedo, kBurnProgressEnd)),
-      glow_(table_texture(paper_glow, kBurnProgressEnd)),
+SheetPass::SheetPass(int samples)
+    : samples_(samples),
+      scorch_(table_texture(scorched_albedo, kScorchEnd)),
+      ember_(table_texture(ember_light, kEmberEnd)),
       heat_(table_texture(heat_map, 1.0)),
       mass_(table_texture(mass_map, 1.0)),
-      fibre_(load_texture(asset("fibre.png"))) {
+      stress_(table_texture(stress_map, 1.0)),
+      fibre_(load_texture(asset("fibre.png"))),
+      crackle_(load_texture(asset("crackle.png"))),
+      letter_(load_texture(asset("letter.png"))),
+      music_(load_texture(asset("music.png"))) {
+    allocate(blank_, GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1, 1);
+    const unsigned char no_ink = 0;
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RED, GL_UNSIGNED_BYTE, &no_ink);
     glBindVertexArray(array_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    constexpr std::size_t kStride = sizeof(SheetVertex);
-    float_attribute(0, 3, kStride, offsetof(SheetVertex, x));
-    float_attribute(1, 3, kStride, offsetof(SheetVertex, nx));
-    float_attribute(2, 2, kStride, offsetof(SheetVertex, u));
-    float_attribute(3, 4, kStride, offsetof(SheetVertex, progress));
+    constexpr std::size_t kVertex = sizeof(SheetVertex), kPoint = sizeof(SheetPoint);
+    float_attribute(0, 3, kVertex, offsetof(SheetVertex, x));
+    float_attribute(1, 3, kVertex, offsetof(SheetVertex, nx));
+    float_attribute(2, 4, kVertex, offsetof(SheetVertex, charred));
+    float_attribute(3, 1, kVertex, offsetof(SheetVertex, quantity));
+    glBindBuffer(GL_ARRAY_BUFFER, points_.name());
+    float_attribute(4, 4, kPoint, offsetof(SheetPoint, u));
+    float_attribute(5, 4, kPoint, offsetof(SheetPoint, along));
+    float_attribute(6, 2, kPoint, offsetof(SheetPoint, grain));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
     glBindVertexArray(0);
 }
 
-bool SheetPass::prepare(const WorldView& world) {
-    glBindVertexArray(array_.name());
-    packed_.clear();
+void SheetPass::upload_topology(const WorldView& world, double pixels_per_metre) {
     std::vector<std::uint64_t> topology;
+    std::size_t quads = 0;
+    double largest = 0;  // quad [m]
     for (const SheetView& sheet : world.sheets) {
         // node and quad counts tell apart worlds whose versions happen to agree
         for (const std::uint64_t v : {sheet.topology_version, std::uint64_t{sheet.x.size()},
                                       std::uint64_t{sheet.quads.size()}}) {
             topology.push_back(v);
         }
-        append_vertices(sheet, world, packed_);
+        quads += sheet.quads.size();
+        largest = std::max(largest, sheet.height / (sheet.column_count - 1));
+    }
+    const int level = patch_level(quads, largest * pixels_per_metre);
+    if (topology == uploaded_ && level == level_) return;
+    uploaded_ = topology;
+    level_ = level;
+    std::vector<SheetPoint> points;
+    for (std::size_t s = 0; s < world.sheets.size(); ++s)
+        append_points(world.sheets[s], s, level_, points);
+    std::vector<std::uint32_t> triangles;
+    append_triangles(quads, level_, 0, triangles);
+    index_count_ = static_cast<GLsizei>(triangles.size());
+    upload<SheetPoint>(GL_ARRAY_BUFFER, points_, points);
+    upload<std::uint32_t>(GL_ELEMENT_ARRAY_BUFFER, indices_, triangles);
+}
+
+bool SheetPass::prepare(const Frame& frame, const RenderParams& params, int height) {
+    const WorldView& world = *frame.world;
+    const CameraParams& camera = params.camera;
+    const double metres = 2 * std::tan(0.5 * camera.field_of_view) * camera.distance;  // high
+    glBindVertexArray(array_.name());
+    upload_topology(world, height / metres);
+    packed_.clear();
+    for (std::size_t s = 0; s < world.sheets.size(); ++s) {
+        const SheetView& sheet = world.sheets[s];
+        std::span<const SpringSegment> springs;
+        if (s < frame.springs.size()) springs = frame.springs[s];
+        append_vertices(sheet, world, level_, node_quantity(params.view.mode, sheet, springs),
+                        packed_);
     }
     upload<SheetVertex>(GL_ARRAY_BUFFER, vertices_, packed_);
-    if (topology == uploaded_) return !triangles_.empty();
-    triangles_.clear();
-    std::uint32_t first = 0;
-    for (const SheetView& sheet : world.sheets) {
-        append_triangles(sheet, first, triangles_);
-        first += static_cast<std::uint32_t>(sheet.x.size());
-    }
-    upload<std::uint32_t>(GL_ELEMENT_ARRAY_BUFFER, indices_, triangles_);
-    uploaded_ = topology;
-    return !triangles_.empty();
+    glBindVertexArray(0);
+    return index_count_ > 0;
 }
 
 void SheetPass::draw_triangles() const {
     glBindVertexArray(array_.name());
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles_.size()), GL_UNSIGNED_INT, nullptr);
+    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
     glBindVertexArray(0);
 }
 
-void SheetPass::draw(const PassInput& in) {
-    program_.use();
-    set_lighting(program_, in);
-    program_.set("u_mode", static_cast<int>(in.params.view.mode));
-    const char* samplers[] = {"u_albedo", "u_glow", "u_heat", "u_mass", "u_fibre"};
-    const Texture* textures[] = {&albedo_, &glow_, &heat_, &mass_, &fibre_};
-    for (int unit = 0; unit < 5; ++unit) {
+void SheetPass::draw_paper(const PassInput& in) {
+    paper_.use();
+    set_lighting(paper_, in);
+    const char* samplers[] = {"u_scorch", "u_ember", "u_fibre", "u_crackle", "u_front", "u_back"};
+    const Texture* textures[] = {&scorch_,
+                                 &ember_,
+                                 &fibre_,
+                                 &crackle_,
+                                 &artwork(in.params.print.front),
+                                 &artwork(in.params.print.back)};
+    for (int unit = 0; unit < 6; ++unit) {
         bind_texture(static_cast<GLuint>(unit), *textures[unit]);
-        program_.set(samplers[unit], unit);
+        paper_.set(samplers[unit], unit);
     }
-    program_.set("u_hottest", 1100.0f);
+    paper_.set("u_char", char_albedo());
+    paper_.set("u_ash_dark", ash_albedo(0));
+    paper_.set("u_ash_pale", ash_albedo(1));
+    paper_.set("u_samples", samples_);
+    paper_.set("u_wireframe", in.params.view.wireframe ? 1 : 0);
+    // torn edges are covered in part; what is covered counts as opaque
+    glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glEnable(GL_SAMPLE_ALPHA_TO_ONE);
+    draw_triangles();
+    glDisable(GL_SAMPLE_ALPHA_TO_ONE);
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+}
+
+void SheetPass::draw_quantity(const PassInput& in) {
+    struct Scale {
+        const Texture& map;
+        float low, high;
+    };
+    const auto stress = static_cast<float>(1e-3 * in.params.view.stress_range);
+    const ViewMode mode = in.params.view.mode;
+    const Scale scale = mode == ViewMode::Mass     ? Scale{mass_, 0.0f, 1.0f}
+                        : mode == ViewMode::Stress ? Scale{stress_, -stress, stress}
+                                                   : Scale{heat_, 0.0f, float{kHottest}};
+    quantity_.use();
+    set_lighting(quantity_, in);
+    bind_texture(0, scale.map);
+    quantity_.set("u_map", 0);
+    quantity_.set("u_range", Eigen::Vector2f(scale.low, scale.high));
+    quantity_.set("u_phases", mode == ViewMode::State ? 1 : 0);
+    quantity_.set("u_wireframe", in.params.view.wireframe ? 1 : 0);
     for (const Phase phase : {Phase::Unburnt, Phase::Burning, Phase::BurntOut}) {
         const char* names[] = {"u_unburnt", "u_burning", "u_burnt_out"};
-        program_.set(names[static_cast<int>(phase)], Eigen::Vector3f(phase_colour(phase)));
+        quantity_.set(names[static_cast<int>(phase)], phase_colour(phase));
     }
     draw_triangles();
+}
+
+const Texture& SheetPass::artwork(Artwork print) const {
+    return print == Artwork::Letter ? letter_ : print == Artwork::Music ? music_ : blank_;
+}
+
+void SheetPass::draw(const PassInput& in) {
+    if (in.params.view.mode == ViewMode::Beauty) {
+        draw_paper(in);
+    } else {
+        draw_quantity(in);
+    }
 }
 
 }  // namespace ember

@@ -1,63 +1,207 @@
 #include "render/sheet_vertices.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 
-#include "render/palette.h"
+#include "render/sheet_fields.h"
 
 namespace ember {
 namespace {
 
-std::vector<Eigen::Vector3f> node_normals(const SheetView& sheet) {
-    std::vector<Eigen::Vector3f> normals(sheet.x.size(), Eigen::Vector3f::Zero());
-    const auto at = [&](Index node) {
-        const auto n = static_cast<std::size_t>(node);
-        return Eigen::Vector3f(static_cast<float>(sheet.x[n]), static_cast<float>(sheet.y[n]),
-                               static_cast<float>(sheet.z[n]));
-    };
-    for (const Quad& q : sheet.quads) {
-        const Eigen::Vector3f area = (at(q[2]) - at(q[0])).cross(at(q[3]) - at(q[1]));
-        for (const Index node : q)
-            normals[static_cast<std::size_t>(node)] += area;
+using Eigen::Vector3f;
+using Corners = std::array<std::size_t, 4>;
+
+Corners corners_of(const Quad& quad) {
+    Corners corners{};
+    for (std::size_t k = 0; k < 4; ++k)
+        corners[k] = static_cast<std::size_t>(quad[k]);
+    return corners;
+}
+
+Vector3f place(const SheetView& sheet, std::size_t n) {
+    return Eigen::Vector3d(sheet.x[n], sheet.y[n], sheet.z[n]).cast<float>();
+}
+
+std::vector<Vector3f> node_normals(const SheetView& sheet) {
+    std::vector<Vector3f> normals(sheet.x.size(), Vector3f::Zero());
+    for (const Quad& quad : sheet.quads) {
+        const Corners c = corners_of(quad);
+        const Vector3f area = (place(sheet, c[2]) - place(sheet, c[0]))
+                                  .cross(place(sheet, c[3]) - place(sheet, c[1]));
+        for (const std::size_t n : c)
+            normals[n] += area;
     }
-    for (Eigen::Vector3f& n : normals) {
+    for (Vector3f& n : normals) {
         const float length = n.norm();
-        n = length > 0 ? Eigen::Vector3f(n / length) : Eigen::Vector3f(Eigen::Vector3f::UnitZ());
+        n = length > 0 ? Vector3f(n / length) : Vector3f(Vector3f::UnitZ());
     }
     return normals;
 }
 
-}  // namespace
+// A cubic from a to b that starts and ends at right angles to the normals there, and the bilinear
+// place that it replaces (Vlachos et al., Curved PN triangles, 2001, section 3).
+struct Side {
+    Vector3f a, b, near_a, near_b;
+    Side(const Vector3f& from, const Vector3f& to, const Vector3f& n, const Vector3f& m)
+        : a(from), b(to) {
+        near_a = (2 * a + b - (b - a).dot(n) * n) / 3;
+        near_b = (2 * b + a - (a - b).dot(m) * m) / 3;
+    }
+    [[nodiscard]] Vector3f at(float x) const {
+        const float y = 1 - x;
+        return y * y * y * a + 3 * x * y * y * near_a + 3 * x * x * y * near_b + x * x * x * b;
+    }
+};
 
-void append_vertices(const SheetView& sheet, const WorldView& world,
-                     std::vector<SheetVertex>& vertices) {
-    const std::vector<Eigen::Vector3f> normals = node_normals(sheet);
-    const Index cells_along = sheet.column_count - 1;
-    const Index cells_across = sheet.closed ? sheet.row_count : sheet.row_count - 1;
-    const double mm_along = 1e3 * sheet.height / cells_along;
-    const double mm_across = 1e3 * sheet.width / cells_across;
-    for (std::size_t n = 0; n < sheet.x.size(); ++n) {
-        const Index row = sheet.site[n] / sheet.column_count;
-        const Index column = sheet.site[n] % sheet.column_count;
-        // of what is no paper nothing is drawn
-        const bool paper = sheet.initial_mass[n] > 0;
-        const double left = paper ? sheet.mass[n] / sheet.initial_mass[n] : 1.0;
-        const double burnt = (1.0 - left) / (1.0 - world.residual_mass);
-        const double progress = burn_progress(sheet.phase[n], sheet.temperature[n], world.ignition,
-                                              burnt, world.time - sheet.burnout_time[n]);
-        vertices.push_back({static_cast<float>(sheet.x[n]), static_cast<float>(sheet.y[n]),
-                            static_cast<float>(sheet.z[n]), normals[n].x(), normals[n].y(),
-                            normals[n].z(), static_cast<float>(mm_along * column),
-                            static_cast<float>(mm_across * row), static_cast<float>(progress),
-                            static_cast<float>(sheet.temperature[n] - 273.15),
-                            static_cast<float>(left), static_cast<float>(sheet.phase[n])});
+// A Coons patch between four such sides.
+struct Patch {
+    std::array<Vector3f, 4> p;
+    Side start, end, left, right;  // t = 0, t = 1, s = 0, s = 1
+    Patch(const std::array<Vector3f, 4>& place, const std::array<Vector3f, 4>& n)
+        : p(place),
+          start(p[0], p[1], n[0], n[1]),
+          end(p[3], p[2], n[3], n[2]),
+          left(p[0], p[3], n[0], n[3]),
+          right(p[1], p[2], n[1], n[2]) {}
+    [[nodiscard]] Vector3f at(float s, float t) const {
+        const Vector3f flat =
+            (1 - t) * ((1 - s) * p[0] + s * p[1]) + t * ((1 - s) * p[3] + s * p[2]);
+        return (1 - t) * start.at(s) + t * end.at(s) + (1 - s) * left.at(t) + s * right.at(t) -
+               flat;
+    }
+};
+
+template <class T>
+T blend(const std::array<T, 4>& corner, float s, float t) {
+    return (1 - t) * ((1 - s) * corner[0] + s * corner[1]) +
+           t * ((1 - s) * corner[3] + s * corner[2]);
+}
+
+// Calls visit(s, t) for the vertices of a patch, rows of constant t.
+template <class Visitor>
+void for_patch(int level, Visitor&& visit) {
+    const auto step = 1.0f / static_cast<float>(level);
+    for (int j = 0; j <= level; ++j) {
+        for (int i = 0; i <= level; ++i)
+            visit(static_cast<float>(i) * step, static_cast<float>(j) * step);
     }
 }
 
-void append_triangles(const SheetView& sheet, std::uint32_t first_vertex,
+// Which sides of which quads are torn: where the neighbour on the lattice is missing or has nodes
+// of its own.
+class TornSides {
+  public:
+    explicit TornSides(const SheetView& sheet) : sheet_(sheet), torn_node_(sheet.x.size()) {
+        of_cell_.assign(static_cast<std::size_t>(sheet.row_count * sheet.column_count), kNone);
+        for (std::size_t q = 0; q < sheet.quads.size(); ++q)
+            of_cell_[static_cast<std::size_t>(first_site(q))] = static_cast<Index>(q);
+        for (std::size_t q = 0; q < sheet.quads.size(); ++q) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                if (!torn(q, k)) continue;
+                torn_node_[corner(q, k)] = torn_node_[corner(q, k + 1)] = 1;
+            }
+        }
+    }
+
+    [[nodiscard]] unsigned bits(std::size_t q) const {
+        unsigned sides = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            sides |= torn(q, k) ? kTornSide << k : 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const bool beside = (sides & (kTornSide << k | kTornSide << (k + 3) % 4)) != 0;
+            if (torn_node_[corner(q, k)] != 0 && !beside) sides |= kTornCorner << k;
+        }
+        return sides;
+    }
+
+  private:
+    [[nodiscard]] Index first_site(std::size_t q) const { return sheet_.site[corner(q, 0)]; }
+    [[nodiscard]] std::size_t corner(std::size_t q, std::size_t k) const {
+        return static_cast<std::size_t>(sheet_.quads[q][k % 4]);
+    }
+    [[nodiscard]] bool torn(std::size_t q, std::size_t k) const {
+        constexpr std::array<std::array<Index, 2>, 4> kAway{{{-1, 0}, {0, 1}, {1, 0}, {0, -1}}};
+        Index row = first_site(q) / sheet_.column_count + kAway[k][0];
+        const Index column = first_site(q) % sheet_.column_count + kAway[k][1];
+        if (sheet_.closed) row = (row + sheet_.row_count) % sheet_.row_count;
+        const Index rows = sheet_.closed ? sheet_.row_count : sheet_.row_count - 1;
+        if (row < 0 || row >= rows || column < 0 || column >= sheet_.column_count - 1) return false;
+        const Index other = of_cell_[static_cast<std::size_t>(row * sheet_.column_count + column)];
+        if (other == kNone) return true;
+        const auto o = static_cast<std::size_t>(other);
+        return corner(q, k) != corner(o, k + 3) || corner(q, k + 1) != corner(o, k + 2);
+    }
+
+    const SheetView& sheet_;
+    std::vector<Index> of_cell_;  // quad by its first site
+    std::vector<char> torn_node_;
+};
+
+}  // namespace
+
+int patch_level(std::size_t quads, double pixels) {
+    const int most = quads <= 6000 ? 4 : quads <= 20000 ? 2 : 1;
+    return std::clamp(static_cast<int>(pixels / 8.0), 1, most);
+}
+
+void append_vertices(const SheetView& sheet, const WorldView& world, int level,
+                     std::span<const float> quantity, std::vector<SheetVertex>& vertices) {
+    const std::vector<Vector3f> normals = node_normals(sheet);
+    const FieldGrid fields = make_field_grid(sheet, world);
+    for (const Quad& quad : sheet.quads) {
+        const Corners c = corners_of(quad);
+        std::array<Vector3f, 4> places, n;
+        std::array<float, 4> value{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            places[k] = place(sheet, c[k]);
+            n[k] = normals[c[k]];
+            if (!quantity.empty()) value[k] = quantity[c[k]];
+        }
+        const Patch patch(places, n);
+        const Index row = sheet.site[c[0]] / sheet.column_count;
+        const Index column = sheet.site[c[0]] % sheet.column_count;
+        for_patch(level, [&](float s, float t) {
+            const Vector3f p = patch.at(s, t), normal = blend(n, s, t).normalized();
+            const SiteFields f = smooth_fields(fields, row, column, s, t);
+            vertices.push_back({p.x(), p.y(), p.z(), normal.x(), normal.y(), normal.z(), f.charred,
+                                f.burnt, f.age, f.temperature, blend(value, s, t)});
+        });
+    }
+}
+
+void append_points(const SheetView& sheet, std::size_t number, int level,
+                   std::vector<SheetPoint>& points) {
+    const SiteGrid grid = site_grid(sheet);
+    const auto along = static_cast<float>(grid.along), across = static_cast<float>(grid.across);
+    const auto height = static_cast<float>(1e3 * sheet.height);
+    const auto width = static_cast<float>(1e3 * sheet.width);
+    const TornSides torn(sheet);
+    for (std::size_t q = 0; q < sheet.quads.size(); ++q) {
+        const Index site = sheet.site[static_cast<std::size_t>(sheet.quads[q][0])];
+        const auto row = static_cast<float>(site / sheet.column_count);
+        const auto column = static_cast<float>(site % sheet.column_count);
+        const auto bits = static_cast<float>(torn.bits(q));
+        for_patch(level, [&](float s, float t) {
+            const float u = along * (column + s), v = across * (row + t);
+            points.push_back({u, v, s, t, along, across, v / width, u / height,
+                              static_cast<float>(number), bits});
+        });
+    }
+}
+
+void append_triangles(std::size_t quads, int level, std::uint32_t first_vertex,
                       std::vector<std::uint32_t>& indices) {
-    for (const Quad& q : sheet.quads) {
-        for (const std::size_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) {
-            indices.push_back(first_vertex + static_cast<std::uint32_t>(q[corner]));
+    const auto side = static_cast<std::uint32_t>(level) + 1;
+    for (std::size_t q = 0; q < quads; ++q) {
+        const auto first = first_vertex + static_cast<std::uint32_t>(q) * side * side;
+        for (std::uint32_t j = 0; j + 1 < side; ++j) {
+            for (std::uint32_t i = 0; i + 1 < side; ++i) {
+                const std::uint32_t a = first + j * side + i, b = a + 1, c = a + side + 1,
+                                    d = a + side;
+                for (const std::uint32_t index : {a, b, c, a, c, d})
+                    indices.push_back(index);
+            }
         }
     }
 }

@@ -1,30 +1,52 @@
 // From views of sheets to vertices: pure, no GL.
+//
+// Each quad is drawn as a patch of level × level pieces, (level + 1)² vertices of its own. The
+// patch is bounded by curves that follow from the positions and normals of two nodes alone, so
+// patches meet whatever has been cut, and a coarse lattice looks like a smooth sheet.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/world_view.h"
 
 namespace ember {
 
-/// One node as the sheet shader sees it.
+/// What changes from picture to picture.
 struct SheetVertex {
-    float x, y, z;      ///< [m]
-    float nx, ny, nz;   ///< unit normal
-    float u, v;         ///< place on the unburnt sheet, main and cross direction [mm]
-    float progress;     ///< burn progress, see palette.h
-    float temperature;  ///< [degC]
-    float mass;         ///< share of the initial mass that is left [1]
-    float phase;        ///< 0, 1, 2
+    float x, y, z;                           ///< [m]
+    float nx, ny, nz;                        ///< unit normal
+    float charred, burnt, age, temperature;  ///< [mm, mm, s, degC], see sheet_fields.h
+    float quantity;                          ///< of the nodes, linear in between
 };
 
-/// Appends the nodes of `sheet`. Normals are area-weighted over the quads of each node.
-void append_vertices(const SheetView& sheet, const WorldView& world,
-                     std::vector<SheetVertex>& vertices);
+/// What changes only with the topology.
+struct SheetPoint {
+    float u, v;           ///< place on the unburnt sheet, main and cross direction [mm]
+    float s, t;           ///< place in the quad, main and cross direction, 0 .. 1
+    float along, across;  ///< size of the quad [mm]
+    float right, down;    ///< place on the printed page, 0 .. 1
+    float grain;          ///< number of the sheet: where on the textures its grain begins
+    float torn;           ///< which sides of the quad are torn, see kTornSide
+};
 
-/// Appends two triangles per quad, as indices offset by `first_vertex`.
-void append_triangles(const SheetView& sheet, std::uint32_t first_vertex,
+/// Bits of SheetPoint::torn: side k runs from corner k to corner k + 1 of the quad; the bits above
+/// them are torn corners of which no side is torn.
+inline constexpr unsigned kTornSide = 1, kTornCorner = 16;
+
+/// How many pieces a quad is divided into along each side, for so many quads in all that are so
+/// many pixels wide in the picture: pieces smaller than 8 pixels cost more than they show.
+[[nodiscard]] int patch_level(std::size_t quads, double pixels);
+
+/// Appends the patches of `sheet`. `quantity` has one value per node, or is empty.
+void append_vertices(const SheetView& sheet, const WorldView& world, int level,
+                     std::span<const float> quantity, std::vector<SheetVertex>& vertices);
+void append_points(const SheetView& sheet, std::size_t number, int level,
+                   std::vector<SheetPoint>& points);
+
+/// Appends the triangles of `quads` patches, as indices offset by `first_vertex`.
+void append_triangles(std::size_t quads, int level, std::uint32_t first_vertex,
                       std::vector<std::uint32_t>& indices);
 
 }  // namespace ember

@@ -11,7 +11,9 @@ using detail::Access;
 using R = RenderParams;
 
 constexpr std::string_view kLightings[] = {"studio", "night"};
-constexpr std::string_view kModes[] = {"beauty", "lattice", "temperature", "mass", "state"};
+constexpr std::string_view kModes[] = {"beauty", "lattice", "temperature", "mass",
+                                       "state",  "stress",  "stiffness"};
+constexpr std::string_view kArtworks[] = {"none", "letter", "music"};
 
 template <auto Group, auto Field>
 constexpr ParamInfo real(std::string_view key, Unit unit, ParamRange hard, ParamRange tested,
@@ -69,10 +71,21 @@ constexpr ParamInfo choice(std::string_view key, std::span<const std::string_vie
 
 constexpr ParamInfo kRows[] = {
     choice<&R::view, &ViewParams::mode>("view.mode", kModes,
-                                        "What is drawn: the picture, the springs by kind, or a "
-                                        "colour-mapped quantity."),
+                                        "What is drawn: the picture, the springs by kind or "
+                                        "stiffness, or a colour-mapped quantity."),
     toggle<&R::view, &ViewParams::flames>("view.flames", "Whether fire is drawn."),
     toggle<&R::view, &ViewParams::ground>("view.ground", "Whether the ground is drawn."),
+    toggle<&R::view, &ViewParams::wireframe>("view.wireframe",
+                                             "Whether the edges of the lattice's cells are drawn."),
+    toggle<&R::view, &ViewParams::legend>("view.legend",
+                                          "Whether views explain their colours in the picture."),
+    real<&R::view, &ViewParams::stress_range>("view.stress_range", unit::kilopascal, {1e-3, 1e6},
+                                              {0.05, 1000}, Logarithmic,
+                                              "Stress at both ends of the scale of that view."),
+    choice<&R::print, &PrintParams::front>("print.front", kArtworks,
+                                           "What is printed on the face that faces the viewer."),
+    choice<&R::print, &PrintParams::back>("print.back", kArtworks,
+                                          "What is printed on the other face."),
     real<&R::camera, &CameraParams::azimuth>("camera.azimuth", unit::degree, {-360, 360},
                                              {-180, 180}, Linear,
                                              "Where the camera stands around the paper."),
@@ -114,7 +127,8 @@ static_assert(row_count(kRows, "camera") == field_count<CameraParams>, "every fi
 static_assert(row_count(kRows, "view") == field_count<ViewParams>, "every field needs a row");
 static_assert(row_count(kRows, "look") == field_count<LookParams>, "every field needs a row");
 static_assert(row_count(kRows, "shot") == field_count<ShotParams>, "every field needs a row");
-static_assert(field_count<RenderParams> == 4, "every group needs rows and an assertion above");
+static_assert(row_count(kRows, "print") == field_count<PrintParams>, "every field needs a row");
+static_assert(field_count<RenderParams> == 5, "every group needs rows and an assertion above");
 
 }  // namespace
 

@@ -16,13 +16,30 @@ struct CameraParams {
     double field_of_view = 0.61;                             // [rad] vertical
 };
 
-enum class ViewMode : std::uint8_t { Beauty, Lattice, Temperature, Mass, State };
+enum class ViewMode : std::uint8_t { Beauty, Lattice, Temperature, Mass, State, Stress, Stiffness };
+
+/// Whether a mode shows what only the springs know.
+[[nodiscard]] constexpr bool needs_springs(ViewMode mode) {
+    return mode == ViewMode::Lattice || mode == ViewMode::Stress || mode == ViewMode::Stiffness;
+}
 
 /// What is drawn.
 struct ViewParams {
     ViewMode mode = ViewMode::Beauty;
     bool flames = true;
     bool ground = true;
+    bool wireframe = false;
+    bool legend = true;
+    double stress_range = 200.0;  // [Pa] at both ends of the scale
+};
+
+/// Artwork: a typed letter or a sheet of music. Drawn by textures/make_textures.cpp.
+enum class Artwork : std::uint8_t { None, Letter, Music };
+
+/// What is printed on the paper.
+struct PrintParams {
+    Artwork front = Artwork::None;
+    Artwork back = Artwork::None;
 };
 
 /// The set: how it is lit without the fire.
@@ -49,6 +66,7 @@ struct RenderParams {
     ViewParams view;
     LookParams look;
     ShotParams shot;
+    PrintParams print;
 };
 
 [[nodiscard]] std::span<const ParamInfo> render_param_rows();

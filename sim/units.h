@@ -50,6 +50,7 @@ inline constexpr Unit gigapascal{"GPa", "stress", 1e9};
 inline constexpr Unit megapascal{"MPa", "stress", 1e6};
 inline constexpr Unit newton_millimetre{"N mm", "flexural rigidity", 1e-3};
 inline constexpr Unit newton_metre{"N m", "flexural rigidity"};
+inline constexpr Unit kilopascal{"kPa", "stress", 1e3};
 inline constexpr Unit metre_per_second{"m/s", "velocity"};
 inline constexpr Unit metre_per_second_squared{"m/s^2", "acceleration"};
 inline constexpr Unit per_second_squared{"1/s^2", "specific stiffness"};
@@ -87,6 +88,7 @@ inline constexpr Unit kUnits[] = {unit::one,
                                   unit::megapascal,
                                   unit::newton_millimetre,
                                   unit::newton_metre,
+                                  unit::kilopascal,
                                   unit::metre_per_second,
                                   unit::metre_per_second_squared,
                                   unit::per_second_squared,

@@ -28,6 +28,7 @@ SheetView view_of(const SheetState& sheet, const SheetPlan& plan, const Lattice&
     view.temperature = sheet.temperature;
     view.mass = sheet.mass;
     view.initial_mass = sheet.initial_mass;
+    view.ignition_time = sheet.ignition_time;
     view.burnout_time = sheet.burnout_time;
     view.phase = sheet.phase;
     view.site = sheet.site;
@@ -117,6 +118,8 @@ WorldView World::view() const {
     view.ambient = params_.heat.ambient;
     view.ignition = params_.burning.ignition;
     view.residual_mass = params_.burning.residual_mass;
+    view.burning_time = (1.0 - params_.burning.residual_mass) * params_.paper.grammage /
+                        (params_.burning.burn_rate * params_.burning.burn_speed);
     view.fire_temperature = params_.fire.temperature;
     view.ground = params_.world.ground;
     view.lighters = lighters_at(state_.time);
@@ -138,9 +141,35 @@ std::vector<LighterView> World::lighters_at(double time) const {
 std::vector<SpringSegment> World::springs(std::size_t sheet) const {
     std::vector<SpringSegment> segments;
     const SheetWorkspace& w = work_->sheets.at(sheet);
-    for_each_spring(w.lattice, w.network, [&](Index a, Index b, Index slot, double, double) {
-        const auto kind = static_cast<Slot>(slot / w.lattice.site_count());
-        segments.push_back({a, b, spring_kind(kind)});
+    const Lattice& lattice = w.lattice;
+    const SheetState& state = state_.sheets[sheet];
+    const auto sites = static_cast<std::size_t>(lattice.site_count());
+    std::array<double, kSlotCount> mean{};
+    for (std::size_t k = 0; k < mean.size(); ++k) {
+        double sum = 0, count = 0;
+        for (std::size_t s = k * sites; s < (k + 1) * sites; ++s)
+            sum += lattice.stiffness[s], count += lattice.stiffness[s] > 0 ? 1 : 0;
+        mean[k] = count > 0 ? sum / count : 1;
+    }
+    const auto left = [&](Index n) {
+        const auto i = static_cast<std::size_t>(n);
+        return state.mass[i] / state.initial_mass[i];
+    };
+    const double caliper = params_.paper.grammage / params_.paper.density;
+    for_each_spring(lattice, w.network, [&](Index a, Index b, Index slot, double, double) {
+        const auto kind = static_cast<Slot>(slot / lattice.site_count());
+        const auto s = static_cast<std::size_t>(slot);
+        SpringSegment segment{a, b, spring_kind(kind), lattice.stiffness[s] / mean[s / sites], 0};
+        if (segment.kind == SpringKind::Structural) {
+            const Vector3 span = state.position.at(static_cast<std::size_t>(b)) -
+                                 state.position.at(static_cast<std::size_t>(a));
+            const double remains = params_.springs.follows_mass ? std::min(left(a), left(b)) : 1.0;
+            const double force =
+                lattice.stiffness[s] * remains * (span.norm() - state.rest_length[s]);
+            const double wide = kind == Slot::Main ? lattice.row_spacing : lattice.column_spacing;
+            segment.stress = force / (wide * caliper);
+        }
+        segments.push_back(segment);
     });
     return segments;
 }

@@ -18,6 +18,8 @@ enum class SpringKind : std::uint8_t { Structural, Diagonal, Bending };
 struct SpringSegment {
     Index a, b;  ///< nodes
     SpringKind kind;
+    double stiffness = 1;  ///< [1] unburnt, over the mean of the sheet's springs of its direction
+    double stress = 0;     ///< [Pa] in the paper that a structural spring stands for; else 0
 };
 
 /// One sheet. Arrays over nodes have N entries, the first rows*columns of them in site order.
@@ -30,6 +32,7 @@ struct SheetView {
     std::span<const double> temperature;    ///< [K], N
     std::span<const double> mass;           ///< [kg], N
     std::span<const double> initial_mass;   ///< [kg], N; 0 where the sheet has no paper
+    std::span<const double> ignition_time;  ///< [s], N; when the node caught fire, else +inf
     std::span<const double> burnout_time;   ///< [s], N; when the node burnt out, else +inf
     std::span<const Phase> phase;           ///< N
     std::span<const Index> site;            ///< N; row * column_count + column of each node
@@ -59,6 +62,7 @@ struct WorldView {
     double ambient = 0;           ///< [K]
     double ignition = 0;          ///< [K]
     double residual_mass = 0;     ///< [1] share of a node's mass that stays as ash
+    double burning_time = 0;      ///< [s] from catching fire to burning out
     double fire_temperature = 0;  ///< [K] of a particle at birth
     bool ground = false;          ///< a floor at y = 0
     std::vector<LighterView> lighters;

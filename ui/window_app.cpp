@@ -222,7 +222,7 @@ class App {
         if (!kept_.holds({session_.revision(), model_.render, width, height})) {
             const WorldView view = session_.world().view();
             std::vector<std::vector<SpringSegment>> springs;
-            if (model_.render.view.mode == ViewMode::Lattice) {
+            if (needs_springs(model_.render.view.mode)) {
                 for (std::size_t s = 0; s < view.sheets.size(); ++s) {
                     springs.push_back(session_.world().springs(s));
                 }

@@ -9,73 +9,62 @@
 namespace ember {
 namespace {
 
-constexpr double kIgnition = 1041.15;  // [K]
-
 double luminance(const Colour& c) {
     return 0.2126 * static_cast<double>(c.x()) + 0.7152 * static_cast<double>(c.y()) +
            0.0722 * static_cast<double>(c.z());
 }
 
-double unburnt(double celsius) {
-    return burn_progress(Phase::Unburnt, celsius + 273.15, kIgnition, 0, 0);
+double encoded(float linear) {  // sRGB, 0 to 255
+    const auto c = static_cast<double>(linear);
+    return 255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055);
 }
 
-TEST(BurnProgress, RunsThroughThePhasesWithoutAJump) {
-    EXPECT_EQ(unburnt(20), 0.0);
-    EXPECT_EQ(unburnt(120), 0.0);
-    EXPECT_GT(unburnt(200), 0.0);
-    EXPECT_DOUBLE_EQ(unburnt(768), 1.0);
-    EXPECT_DOUBLE_EQ(burn_progress(Phase::Burning, 1200, kIgnition, 0, 0), 1.0);
-    EXPECT_DOUBLE_EQ(burn_progress(Phase::Burning, 1200, kIgnition, 0.25, 0), 1.25);
-    EXPECT_DOUBLE_EQ(burn_progress(Phase::Burning, 1200, kIgnition, 1, 0), 2.0);
-    EXPECT_DOUBLE_EQ(burn_progress(Phase::BurntOut, 300, kIgnition, 1, 0), 2.0);
-    EXPECT_DOUBLE_EQ(burn_progress(Phase::BurntOut, 300, kIgnition, 1, kAshTime), 3.0);
-    EXPECT_EQ(burn_progress(Phase::BurntOut, 300, kIgnition, 1, 1e6), kBurnProgressEnd);
-}
-
-TEST(BurnProgress, StaysInItsPhaseWhateverTheNumbers) {
-    EXPECT_LE(unburnt(5000), 1.0);  // hot, but not yet ignited by the tick's bookkeeping
-    EXPECT_EQ(burn_progress(Phase::Burning, 300, kIgnition, -0.1, 0), 1.0);
-    EXPECT_EQ(burn_progress(Phase::Burning, 300, kIgnition, 1.1, 0), 2.0);
-}
-
-TEST(PaperAlbedo, DarkensFromWarmWhiteToBlackWhilePaperHeats) {
-    const Colour white = paper_albedo(0);
+TEST(ScorchedAlbedo, RunsFromBlackCharThroughANarrowBrownToWarmWhite) {
+    const Colour white = scorched_albedo(kScorchEnd), black = scorched_albedo(0);
     EXPECT_GT(luminance(white), 0.75);
     EXPECT_GT(white.x(), white.z());
-    for (double p = 0; p < 1; p += 0.02) {
-        EXPECT_LE(luminance(paper_albedo(p + 0.02)), luminance(paper_albedo(p)) + 1e-6) << p;
+    EXPECT_NEAR(encoded(black.x()), 22, 1.5) << "char is black, not brown";
+    EXPECT_NEAR(encoded(black.y()), 20, 1.5);
+    EXPECT_NEAR(encoded(black.z()), 18, 1.5);
+    double brown = 0;
+    for (double mm = 0; mm < kScorchEnd; mm += 0.1) {
+        const Colour c = scorched_albedo(mm);
+        EXPECT_LE(luminance(c), luminance(scorched_albedo(mm + 0.1)) + 1e-6) << mm;
+        if (c.x() > 1.8f * c.z() && luminance(c) > 0.01) brown += 0.1;
     }
-    const Colour scorch = paper_albedo(0.4);
-    EXPECT_GT(scorch.x(), 1.8f * scorch.z());  // brown, not grey
+    EXPECT_GT(brown, 2);
+    EXPECT_LT(brown, 6) << "mm";
 }
 
-TEST(PaperAlbedo, CharIsBlackAndAshIsPaleGrey) {
-    for (double p = 1.0; p <= 2.0; p += 0.05)
-        EXPECT_LT(luminance(paper_albedo(p)), 0.03) << p;
-    const Colour ash = paper_albedo(kBurnProgressEnd);
-    EXPECT_GT(luminance(ash), 5 * luminance(paper_albedo(2.0)));
-    EXPECT_LT(luminance(ash), 0.6 * luminance(paper_albedo(0)));
+TEST(CharAndAsh, AshPalesFromNearBlackToLightGreyWithoutColour) {
+    EXPECT_EQ(char_albedo(), scorched_albedo(0));
+    for (double pale = 0; pale < 1; pale += 0.05) {
+        EXPECT_LT(luminance(ash_albedo(pale)), luminance(ash_albedo(pale + 0.05))) << pale;
+    }
+    const Colour ash = ash_albedo(1);
+    EXPECT_GT(luminance(ash), 20 * luminance(char_albedo()));
+    EXPECT_LT(luminance(ash), 0.65 * luminance(scorched_albedo(kScorchEnd)));
     EXPECT_LT(ash.maxCoeff() - ash.minCoeff(), 0.1f * ash.maxCoeff());
 }
 
-TEST(PaperGlow, IsAnOrangeRimAtIgnitionThatIsDarkOnBothSides) {
-    EXPECT_EQ(paper_glow(0.0), Colour::Zero());
-    EXPECT_EQ(paper_glow(0.8), Colour::Zero());
-    EXPECT_EQ(paper_glow(kBurnProgressEnd), Colour::Zero());
-    double brightest = 0, half_width = 0;
-    for (double p = 0; p < kBurnProgressEnd; p += 0.005) {
-        if (luminance(paper_glow(p)) > luminance(paper_glow(brightest))) brightest = p;
+TEST(EmberLight, IsAThinLineFourToEightTimesAsBrightAsPaper) {
+    EXPECT_EQ(ember_light(0), Colour::Zero());
+    EXPECT_EQ(ember_light(kEmberEnd), Colour::Zero());
+    Colour brightest = Colour::Zero();
+    double wide = 0;
+    for (double mm = 0; mm < kEmberEnd; mm += 0.01) {
+        const Colour c = ember_light(mm);
+        EXPECT_GE(c.x(), c.y()) << mm;
+        EXPECT_GE(c.y(), c.z()) << mm;
+        if (c.x() > brightest.x()) brightest = c;
     }
-    for (double p = 0; p < kBurnProgressEnd; p += 0.005) {
-        const Colour c = paper_glow(p);
-        EXPECT_GE(c.x(), c.y()) << p;
-        EXPECT_GE(c.y(), c.z()) << p;
-        if (luminance(c) > 0.5 * luminance(paper_glow(brightest))) half_width += 0.005;
-    }
-    EXPECT_NEAR(brightest, 1.0, 0.1);
-    EXPECT_LT(half_width, 0.25) << "the rim is a line, not a band";
-    EXPECT_GT(paper_glow(brightest).x(), 1.0f) << "brighter than lit white paper";
+    for (double mm = 0; mm < kEmberEnd; mm += 0.01)
+        wide += ember_light(mm).x() > 0.5f * brightest.x() ? 0.01 : 0;
+    const float white = scorched_albedo(kScorchEnd).x();
+    EXPECT_GE(brightest.x(), 4 * white);
+    EXPECT_LE(brightest.x(), 8 * white);
+    EXPECT_GE(wide, 0.3) << "mm";
+    EXPECT_LE(wide, 1.0) << "mm";
 }
 
 TEST(FlameColour, RisesFromNothingThroughRedToYellow) {
@@ -109,6 +98,16 @@ TEST(ColourMaps, LightnessRisesFromEndToEndWithoutFlatOrSteepStretches) {
     }
 }
 
+TEST(ColourMaps, StressIsLightestWhereThereIsNoneAndDarkensAlikeToBothSides) {
+    for (double x = 0; x < 0.5; x += 0.05) {
+        EXPECT_LT(lightness(stress_map(x)), lightness(stress_map(x + 0.05))) << x;
+        EXPECT_LT(lightness(stress_map(1 - x)), lightness(stress_map(0.95 - x))) << x;
+        EXPECT_NEAR(lightness(stress_map(x)), lightness(stress_map(1 - x)), 12) << x;
+        EXPECT_GT(stress_map(x).z(), stress_map(x).x()) << "pushed is blue";
+        EXPECT_GT(stress_map(1 - x).x(), stress_map(1 - x).z()) << "pulled is red";
+    }
+}
+
 TEST(PhaseColours, AreFarApart) {
     const Phase phases[] = {Phase::Unburnt, Phase::Burning, Phase::BurntOut};
     for (const Phase a : phases) {
@@ -120,10 +119,10 @@ TEST(PhaseColours, AreFarApart) {
 }
 
 TEST(Tables, HoldTheFunctionTheyAreMadeFrom) {
-    const ColourTable table = tabulate(paper_albedo, kBurnProgressEnd);
-    EXPECT_EQ(table.front(), paper_albedo(0));
-    EXPECT_EQ(table.back(), paper_albedo(kBurnProgressEnd));
-    EXPECT_EQ(table[51], paper_albedo(kBurnProgressEnd * 51 / 255));
+    const ColourTable table = tabulate(scorched_albedo, kScorchEnd);
+    EXPECT_EQ(table.front(), scorched_albedo(0));
+    EXPECT_EQ(table.back(), scorched_albedo(kScorchEnd));
+    EXPECT_EQ(table[51], scorched_albedo(kScorchEnd * 51 / 255));
 }
 
 }  // namespace

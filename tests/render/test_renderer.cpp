@@ -17,8 +17,9 @@ using test::in_mode;
 using test::NodePixel;
 using test::StagedWorld;
 
-constexpr ViewMode kModes[] = {ViewMode::Beauty, ViewMode::Lattice, ViewMode::Temperature,
-                               ViewMode::Mass, ViewMode::State};
+constexpr ViewMode kModes[] = {ViewMode::Beauty,   ViewMode::Lattice, ViewMode::Temperature,
+                               ViewMode::Mass,     ViewMode::State,   ViewMode::Stress,
+                               ViewMode::Stiffness};
 
 std::vector<std::vector<SpringSegment>> edges_of(const StagedWorld& staged) {
     std::vector<SpringSegment> springs;

@@ -1,154 +1,147 @@
 // From views to vertices, without GL.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
-#include "render/palette.h"
 #include "render/sheet_vertices.h"
 #include "support/staged_world.h"
 
 namespace ember {
 namespace {
 
+using Eigen::Vector3f;
 using test::StagedWorld;
 
-std::vector<SheetVertex> pack(const StagedWorld& staged) {
+std::vector<SheetVertex> pack(const StagedWorld& staged, int level = 1) {
     const WorldView view = staged.view();
     std::vector<SheetVertex> vertices;
-    append_vertices(view.sheets[0], view, vertices);
+    append_vertices(view.sheets[0], view, level, {}, vertices);
     return vertices;
 }
 
-Eigen::Vector3f normal(const SheetVertex& v) {
+std::vector<SheetPoint> points(const WorldView& view, int level = 1) {
+    std::vector<SheetPoint> all;
+    append_points(view.sheets[0], 0, level, all);
+    return all;
+}
+
+Vector3f place(const SheetVertex& v) {
+    return {v.x, v.y, v.z};
+}
+Vector3f normal(const SheetVertex& v) {
     return {v.nx, v.ny, v.nz};
 }
 
-TEST(SheetVertices, PlaceOnTheSheetIsTheUnburntLatticeInMillimetres) {
-    StagedWorld staged = test::hanging_sheet(5, 9);
-    for (double& x : staged.x)
-        x *= 0.5;  // shrinking moves nodes, not the print on them
-    const auto vertices = pack(staged);
-    ASSERT_EQ(vertices.size(), 45u);
-    EXPECT_FLOAT_EQ(vertices[0].u, 0);
-    EXPECT_FLOAT_EQ(vertices[0].v, 0);
-    EXPECT_FLOAT_EQ(vertices[staged.node(0, 8)].u, 297);
-    EXPECT_FLOAT_EQ(vertices[staged.node(4, 0)].v, 210);
-    EXPECT_FLOAT_EQ(vertices[staged.node(1, 2)].u, 297.0f / 4);
-    EXPECT_FLOAT_EQ(vertices[staged.node(1, 2)].v, 210.0f / 4);
-    EXPECT_FLOAT_EQ(vertices[staged.node(1, 2)].x, static_cast<float>(staged.x[11]));
+StagedWorld cylinder(int rows, double radius) {
+    StagedWorld staged = test::hanging_sheet(rows, 4);
+    for (std::size_t n = 0; n < staged.x.size(); ++n) {
+        const double angle = staged.x[n] / radius;
+        staged.x[n] = radius * std::sin(angle);
+        staged.z[n] = radius * std::cos(angle);
+    }
+    return staged;
 }
 
-TEST(SheetVertices, ATubeHasOneMoreCellAcrossThanASheet) {
+TEST(SheetPoints, PlaceOnTheSheetIsInMillimetresOfTheUnburntSheet) {
+    const StagedWorld staged = test::hanging_sheet(5, 9);
+    const auto p = points(staged.view());
+    ASSERT_EQ(p.size(), 4 * staged.quads.size());
+    EXPECT_FLOAT_EQ(p[0].u, 0);
+    EXPECT_FLOAT_EQ(p[0].v, 0);
+    EXPECT_FLOAT_EQ(p[1].u, 297.0f / 8);
+    EXPECT_FLOAT_EQ(p[2].v, 210.0f / 4);
+    EXPECT_FLOAT_EQ(p.back().u, 297);
+    EXPECT_FLOAT_EQ(p.back().v, 210);
+    EXPECT_FLOAT_EQ(p.back().right, 1);
+    EXPECT_FLOAT_EQ(p.back().down, 1);
+}
+
+TEST(SheetPoints, ATubeHasOneMoreCellAcrossThanASheet) {
     const StagedWorld staged = test::hanging_sheet(5, 9);
     WorldView view = staged.view();
     view.sheets[0].closed = true;
-    std::vector<SheetVertex> vertices;
-    append_vertices(view.sheets[0], view, vertices);
-    EXPECT_FLOAT_EQ(vertices[staged.node(4, 0)].v, 210.0f * 4 / 5);
+    EXPECT_FLOAT_EQ(points(view).back().v, 210.0f * 4 / 5);
 }
 
-TEST(SheetVertices, NormalsOfAFlatSheetAreAllTheSame) {
-    for (const SheetVertex& v : pack(test::hanging_sheet(4, 6))) {
-        EXPECT_NEAR(std::abs(v.nz), 1, 1e-6);
-        EXPECT_EQ(std::signbit(v.nz), std::signbit(pack(test::hanging_sheet(4, 6))[0].nz));
+// A cut along one edge inside a sheet of 3 × 2 cells: both quads get nodes of their own there.
+TEST(SheetPoints, OnlySidesInsideTheSheetWithoutTheirNeighbourAreTorn) {
+    StagedWorld staged = test::hanging_sheet(4, 3);
+    for (const SheetPoint& p : points(staged.view()))
+        EXPECT_EQ(p.torn, 0);
+    staged.quads.erase(staged.quads.begin() + 2);  // row 1, column 0
+    const auto p = points(staged.view());
+    const auto torn = [&](std::size_t quad) { return static_cast<unsigned>(p[4 * quad].torn); };
+    EXPECT_EQ(torn(0), kTornSide << 2) << "row 0, column 0";
+    EXPECT_EQ(torn(1), kTornCorner << 3) << "row 0, column 1 touches the hole with a corner";
+    EXPECT_EQ(torn(2), kTornSide << 3) << "row 1, column 1";
+    EXPECT_EQ(torn(3), kTornSide << 0) << "row 2, column 0";
+}
+
+TEST(SheetVertices, APatchKeepsItsNodesAndSharesItsSidesWithItsNeighbours) {
+    const StagedWorld staged = cylinder(9, 0.05);
+    constexpr int kLevel = 4, kSide = kLevel + 1;
+    const auto v = pack(staged, kLevel);
+    ASSERT_EQ(v.size(), kSide * kSide * staged.quads.size());
+    EXPECT_FLOAT_EQ(v[0].x, static_cast<float>(staged.x[0]));
+    EXPECT_FLOAT_EQ(v[kSide * kSide - 1].x, static_cast<float>(staged.x[staged.node(1, 1)]));
+    for (int i = 0; i < kSide; ++i) {  // row 0, columns 0 and 1
+        const std::size_t right = static_cast<std::size_t>(i * kSide + kLevel);
+        const std::size_t left = static_cast<std::size_t>(kSide * kSide + i * kSide);
+        EXPECT_NEAR((place(v[right]) - place(v[left])).norm(), 0, 1e-7);
+    }
+}
+
+// A chord of this lattice is up to 2.7 mm inside of the cylinder.
+TEST(SheetVertices, APatchFollowsTheCurveThatItsNodesLieOn) {
+    constexpr double kRadius = 0.05;
+    for (const SheetVertex& v : pack(cylinder(13, kRadius), 4)) {
+        if (std::abs(std::atan2(v.x, v.z)) > 1.7f) continue;  // one-sided normals at the border
+        EXPECT_NEAR(std::hypot(v.x, v.z), kRadius, 1e-5);
     }
 }
 
 TEST(SheetVertices, NormalsOfABentSheetAreThoseOfTheSurface) {
-    StagedWorld staged = test::hanging_sheet(61, 3);
-    constexpr double kRadius = 0.1;
-    for (std::size_t n = 0; n < staged.x.size(); ++n) {
-        const double angle = staged.x[n] / kRadius;
-        staged.x[n] = kRadius * std::sin(angle);
-        staged.z[n] = kRadius * std::cos(angle);
-    }
-    const auto vertices = pack(staged);
-    for (int row = 1; row < 60; ++row) {
-        const std::size_t n = staged.node(row, 1);
-        const Eigen::Vector3f outwards(static_cast<float>(staged.x[n] / kRadius), 0,
-                                       static_cast<float>(staged.z[n] / kRadius));
-        EXPECT_GT(std::abs(normal(vertices[n]).dot(outwards)), 0.99999f);
+    for (const SheetVertex& v : pack(cylinder(61, 0.1))) {
+        if (std::abs(std::atan2(v.x, v.z)) > 1.0f) continue;
+        const Vector3f outwards = Vector3f(v.x, 0, v.z).normalized();
+        EXPECT_GT(std::abs(normal(v).dot(outwards)), 0.99999f);
     }
 }
 
-// Two quads that share an edge of two nodes are cut apart and one is folded up.
-TEST(SheetVertices, CopiesOfACutNodeHaveNormalsOfTheirOwn) {
-    StagedWorld staged = test::hanging_sheet(3, 2);
-    const auto before = pack(staged);
-    for (const Index original : {2, 3}) {
-        const auto n = static_cast<std::size_t>(original);
-        for (auto* array : {&staged.x, &staged.y, &staged.z, &staged.rest, &staged.temperature,
-                            &staged.mass, &staged.initial_mass, &staged.burnout_time}) {
-            array->push_back((*array)[n]);
-        }
-        staged.phase.push_back(staged.phase[n]);
-        staged.site.push_back(original);
-    }
-    staged.quads[1] = {6, 7, 5, 4};
-    for (const std::size_t folded : {4u, 5u}) {
-        staged.z[folded] = staged.x[folded];
-        staged.x[folded] = 0;
-    }
-    const auto after = pack(staged);
-    ASSERT_EQ(after.size(), 8u);
-    EXPECT_EQ(normal(after[2]), normal(before[2]));
-    EXPECT_NEAR(normal(after[2]).dot(normal(after[6])), 0, 1e-5);
-    EXPECT_FLOAT_EQ(after[6].u, after[2].u);
-    EXPECT_FLOAT_EQ(after[6].v, after[2].v);
+TEST(SheetVertices, NormalsOfAFlatSheetFaceTheViewer) {
+    for (const SheetVertex& v : pack(test::hanging_sheet(4, 6), 2))
+        EXPECT_NEAR(v.nz, 1, 1e-6);
 }
 
-TEST(SheetVertices, ANodeWithoutQuadsStillHasAUnitNormal) {
-    StagedWorld staged = test::hanging_sheet(3, 3);
-    staged.quads.clear();
-    for (const SheetVertex& v : pack(staged))
-        EXPECT_FLOAT_EQ(normal(v).norm(), 1.0f);
-}
-
-TEST(SheetVertices, StateIsProgressCelsiusMassLeftAndPhase) {
-    StagedWorld staged = test::hanging_sheet(2, 3);
-    staged.temperature = {293.15, 700, 1100, 1000, 400, 300};
-    staged.phase = {Phase::Unburnt, Phase::Unburnt,  Phase::Burning,
-                    Phase::Burning, Phase::BurntOut, Phase::BurntOut};
-    staged.mass = {3e-6, 3e-6, 3e-6, 1.8e-6, 0.6e-6, 0.6e-6};
-    staged.burnout_time[4] = staged.time;
-    staged.burnout_time[5] = staged.time - kAshTime;
-    const auto v = pack(staged);
-    const double expected[] = {0, (700 - 393.15) / (test::kIgnition - 393.15), 1, 1.5, 2, 3};
-    for (std::size_t n = 0; n < 6; ++n) {
-        EXPECT_NEAR(v[n].progress, expected[n], 1e-6) << n;
-        EXPECT_NEAR(v[n].temperature, staged.temperature[n] - 273.15, 1e-4);
-        EXPECT_NEAR(v[n].mass, staged.mass[n] / 3e-6, 1e-6);
-        EXPECT_EQ(v[n].phase, static_cast<float>(staged.phase[n]));
-    }
+TEST(SheetVertices, QuantitiesAreThoseOfTheNodesAndLinearInBetween) {
+    const StagedWorld staged = test::hanging_sheet(2, 2);
+    const WorldView view = staged.view();
+    const float values[] = {1, 2, 5, 8};
+    std::vector<SheetVertex> v;
+    append_vertices(view.sheets[0], view, 2, values, v);
+    ASSERT_EQ(v.size(), 9u);
+    EXPECT_FLOAT_EQ(v[0].quantity, 1);
+    EXPECT_FLOAT_EQ(v[2].quantity, 2);
+    EXPECT_FLOAT_EQ(v[6].quantity, 5);
+    EXPECT_FLOAT_EQ(v[8].quantity, 8);
+    EXPECT_FLOAT_EQ(v[4].quantity, 4);
 }
 
 TEST(SheetTriangles, CoverEveryQuadOnceWithOneSense) {
     const StagedWorld staged = test::hanging_sheet(4, 5);
-    const WorldView view = staged.view();
+    const auto v = pack(staged, 3);
     std::vector<std::uint32_t> indices;
-    append_triangles(view.sheets[0], 1000, indices);
-    ASSERT_EQ(indices.size(), 6 * staged.quads.size());
+    append_triangles(staged.quads.size(), 3, 1000, indices);
+    ASSERT_EQ(indices.size(), 9 * 6 * staged.quads.size());
     double area = 0;
     for (std::size_t i = 0; i < indices.size(); i += 3) {
-        const auto at = [&](std::size_t corner) {
-            const std::size_t n = indices[i + corner] - 1000u;
-            return Eigen::Vector2d(staged.x[n], staged.y[n]);
-        };
-        const Eigen::Vector2d a = at(1) - at(0), b = at(2) - at(0);
-        area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+        const auto at = [&](std::size_t corner) { return place(v[indices[i + corner] - 1000u]); };
+        const double part = static_cast<double>((at(1) - at(0)).cross(at(2) - at(0)).z()) / 2;
+        EXPECT_GT(part * area, -1e-12);
+        area += part;
     }
-    EXPECT_NEAR(std::abs(area), 0.210 * 0.297, 1e-9);
-}
-
-TEST(SheetVertices, ASecondSheetIsAppended) {
-    const StagedWorld staged = test::burning_sheet(4, 5, 0);
-    const WorldView view = staged.view();
-    std::vector<SheetVertex> vertices;
-    append_vertices(view.sheets[0], view, vertices);
-    append_vertices(view.sheets[0], view, vertices);
-    ASSERT_EQ(vertices.size(), 40u);
-    EXPECT_EQ(vertices[7].x, vertices[27].x);
-    EXPECT_EQ(vertices[7].progress, vertices[27].progress);
+    EXPECT_NEAR(std::abs(area), 0.210 * 0.297, 1e-6);
 }
 
 }  // namespace

@@ -7,14 +7,14 @@
 namespace ember::test {
 namespace {
 
-constexpr double kTop = 0.45;                      // [m]
-constexpr double kBurntOut = 0.13, kFront = 0.16;  // [m] from the corner
-constexpr double kFrontSpeed = 0.03;               // [m/s]
-constexpr double kBurningTemperature = 1100.0;     // [K]
-constexpr double kResidue = 0.2;                   // [1]
+constexpr double kTop = 0.45;                   // [m]
+constexpr double kFrontSpeed = 0.03;            // [m/s]
+constexpr double kBurningTemperature = 1100.0;  // [K]
+constexpr double kResidue = 0.2;                // [1]
 
 void burn_node(StagedWorld& s, std::size_t n) {
     const double from_corner = std::hypot(s.x[n] + 0.5 * s.width, s.y[n] - (kTop - s.height));
+    if (from_corner < kFront) s.ignition_time[n] = s.time - (kFront - from_corner) / kFrontSpeed;
     if (from_corner < kBurntOut) {
         const double age = (kBurntOut - from_corner) / kFrontSpeed;
         s.phase[n] = Phase::BurntOut;
@@ -58,6 +58,7 @@ WorldView StagedWorld::view() const {
     sheet.temperature = temperature;
     sheet.mass = mass;
     sheet.initial_mass = initial_mass;
+    sheet.ignition_time = ignition_time;
     sheet.burnout_time = burnout_time;
     sheet.phase = phase;
     sheet.site = site;
@@ -68,6 +69,7 @@ WorldView StagedWorld::view() const {
     view.ambient = kAmbient;
     view.ignition = kIgnition;
     view.residual_mass = kResidue;
+    view.burning_time = (kFront - kBurntOut) / kFrontSpeed;
     view.fire_temperature = kFlame;
     view.ground = ground;
     view.lighters = {{Vector3(-0.5 * width, kTop - height - 0.02, 0.0), lighter_lit}};
@@ -94,7 +96,8 @@ StagedWorld hanging_sheet(int rows, int columns) {
     s.temperature.assign(count, kAmbient);
     s.mass.assign(count, 3e-6);
     s.initial_mass.assign(count, 3e-6);
-    s.burnout_time.assign(count, std::numeric_limits<double>::infinity());
+    s.ignition_time.assign(count, std::numeric_limits<double>::infinity());
+    s.burnout_time = s.ignition_time;
     s.phase.assign(count, Phase::Unburnt);
     for (Index row = 0; row + 1 < rows; ++row) {
         for (Index column = 0; column + 1 < columns; ++column) {

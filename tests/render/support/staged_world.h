@@ -12,7 +12,8 @@ namespace ember::test {
 struct StagedWorld {
     int rows = 0, columns = 0;  ///< lattice sites
     double width = 0.210, height = 0.297, time = 5.0;
-    std::vector<double> x, y, z, rest, temperature, mass, initial_mass, burnout_time;
+    std::vector<double> x, y, z, rest, temperature, mass, initial_mass;
+    std::vector<double> ignition_time, burnout_time;
     std::vector<Phase> phase;
     std::vector<Index> site;
     std::vector<Quad> quads;
@@ -31,6 +32,8 @@ struct StagedWorld {
 };
 
 inline constexpr double kAmbient = 293.15, kIgnition = 1041.15, kFlame = 785.15;  // [K]
+inline constexpr double kBurntOut = 0.13,
+                        kFront = 0.16;  // [m] from the corner, see burning_sheet()
 
 /// A flat unburnt sheet hanging in the plane z = 0 at ambient temperature, its upper edge (column
 /// 0) at y = 0.45 m; no particles.

@@ -1,0 +1,157 @@
+// Burning paper in the picture: bands of so many millimetres on every lattice and at every size,
+// and what was printed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "render/image_difference.h"
+#include "support/gl_rig.h"
+#include "support/node_pixels.h"
+
+namespace ember {
+namespace {
+
+using test::GlRig;
+using test::StagedWorld;
+
+// The staged sheet, flat, seen at right angles without its flames.
+StagedWorld flat_sheet(int rows, int columns) {
+    StagedWorld staged = test::burning_sheet(rows, columns, 0);
+    staged.z.assign(staged.z.size(), 0.0);
+    return staged;
+}
+
+RenderParams head_on() {
+    RenderParams params;
+    params.camera.azimuth = params.camera.elevation = 0;
+    params.view.flames = false;
+    return params;
+}
+
+struct Picture {
+    Image image;
+    Camera camera;
+
+    // Luminance at a distance and direction from the burning corner [m, rad].
+    [[nodiscard]] float at(const StagedWorld& staged, double r, double angle) const {
+        const Eigen::Vector3f place(static_cast<float>(-0.5 * staged.width + r * std::cos(angle)),
+                                    static_cast<float>(0.45 - staged.height + r * std::sin(angle)),
+                                    0.0f);
+        const Eigen::Vector3f p = project(camera, place, image.width, image.height);
+        return test::luminance(
+            test::linear_colour(image, static_cast<int>(p.x()), static_cast<int>(p.y())));
+    }
+};
+
+Picture take(GlRig& rig, const StagedWorld& staged, const RenderParams& params, int height) {
+    const int width = height * 16 / 9;
+    return {rig.draw(staged.view(), params, width, height),
+            make_camera(params.camera, width, height)};
+}
+
+// Mean widths along radii of what is black and of what is neither black nor white [mm].
+struct Bands {
+    double black = 0, scorched = 0;
+};
+
+Bands bands(const Picture& picture, const StagedWorld& staged) {
+    constexpr double kStep = 0.25e-3;
+    Bands sum;
+    int radii = 0;
+    for (double angle = 0.15; angle < 1.4; angle += 0.01, ++radii) {
+        const float white = picture.at(staged, 0.205, angle);
+        for (double r = 0.138; r < 0.2; r += kStep) {
+            const float l = picture.at(staged, r, angle);
+            if (l < 0.06f * white) sum.black += 1e3 * kStep;
+            if (l >= 0.06f * white && l < 0.7f * white && r > 0.154) sum.scorched += 1e3 * kStep;
+        }
+    }
+    return {sum.black / radii, sum.scorched / radii};
+}
+
+TEST(BurningPaper, BandsAreAsWideOnEveryLatticeAndAtEverySize) {
+    GlRig rig;
+    const StagedWorld coarse = flat_sheet(33, 49), fine = flat_sheet(65, 97);
+    const Bands reference = bands(take(rig, fine, head_on(), 1080), fine);
+    EXPECT_GT(reference.black, 15) << "mm of char";
+    EXPECT_GT(reference.scorched, 2) << "mm of scorch";
+    EXPECT_LT(reference.scorched, 9);
+    for (const int height : {540, 1080}) {
+        for (const StagedWorld* staged : {&coarse, &fine}) {
+            const Bands b = bands(take(rig, *staged, head_on(), height), *staged);
+            EXPECT_NEAR(b.black, reference.black, 1.0) << height << ' ' << staged->rows;
+            EXPECT_NEAR(b.scorched, reference.scorched, 0.6) << height << ' ' << staged->rows;
+        }
+    }
+}
+
+// How much the print changes the picture between two radii, relative to what it is without.
+double contrast(GlRig& rig, const StagedWorld& staged, double from, double to) {
+    RenderParams params = head_on();
+    const Picture plain = take(rig, staged, params, 1080);
+    params.print.front = Artwork::Letter;
+    const Picture printed = take(rig, staged, params, 1080);
+    double sum = 0, ink = 0;
+    for (double angle = 0.1; angle < 1.45; angle += 0.003) {
+        for (double r = from; r < to; r += 0.5e-3) {
+            const double a = static_cast<double>(plain.at(staged, r, angle));
+            const double b = static_cast<double>(printed.at(staged, r, angle));
+            const double difference = std::abs(a - b) / (a + b + 0.002);
+            if (difference < 0.05) continue;  // no ink here
+            sum += difference;
+            ink += 1;
+        }
+    }
+    return ink > 100 ? sum / ink : 0;
+}
+
+TEST(BurningPaper, PrintStaysLegibleOnCharButFainterThanOnPaper) {
+    GlRig rig;
+    const StagedWorld staged = flat_sheet(33, 49);
+    const double on_char = contrast(rig, staged, 0.02, 0.11);
+    const double on_paper = contrast(rig, staged, 0.185, 0.205);
+    EXPECT_GT(on_char, 0.12);
+    EXPECT_LT(on_char, 0.8 * on_paper);
+}
+
+TEST(BurningPaper, TheBackIsPrintedOnItsOwn) {
+    GlRig rig;
+    const StagedWorld staged = test::hanging_sheet(8, 12);
+    RenderParams params = head_on();
+    const Image plain = rig.draw(staged.view(), params);
+    params.print.back = Artwork::Music;
+    EXPECT_TRUE(compare(rig.draw(staged.view(), params), plain).identical());
+    params.print.front = Artwork::Music;
+    EXPECT_GT(compare(rig.draw(staged.view(), params), plain).pixels, 500);
+}
+
+TEST(BurningPaper, ATornEdgeIsFibrousAndTheSheetsOwnBorderIsNot) {
+    GlRig rig;
+    StagedWorld staged = test::hanging_sheet(9, 13);
+    const RenderParams params = head_on();
+    const Image whole = rig.draw(staged.view(), params, 960, 540);
+    staged.quads.erase(staged.quads.begin() + 40);  // inside
+    staged.topology_version = 2;
+    const Image torn = rig.draw(staged.view(), params, 960, 540);
+    // a hole of 26 mm × 25 mm at 1.1 pixels/mm, and up to 1.5 mm of fibres around it
+    EXPECT_GT(compare(whole, torn).pixels, 26 * 25);
+    EXPECT_LT(compare(whole, torn).pixels, 1460);
+}
+
+TEST(ColourMappedViews, AWireframeDarkensTheEdgesOfTheCellsOnly) {
+    GlRig rig;
+    const StagedWorld staged = test::hanging_sheet(5, 7);
+    RenderParams params = head_on();
+    params.view.mode = ViewMode::Mass;
+    params.view.legend = false;
+    const Image plain = rig.draw(staged.view(), params, 960, 540);
+    params.view.wireframe = true;
+    const Image wires = rig.draw(staged.view(), params, 960, 540);
+    const auto changed = compare(plain, wires).pixels;
+    const double length = 1.1e3 * (5 * 0.297 + 7 * 0.210);  // [pixels] of all edges
+    EXPECT_GT(static_cast<double>(changed), 0.8 * length);
+    EXPECT_LT(static_cast<double>(changed), 4 * length);
+}
+
+}  // namespace
+}  // namespace ember
