@@ -35,8 +35,10 @@ struct Sweeper {
         const float x = std::min(crossing(0, 1, grid.along), crossing(0, -1, grid.along));
         const float z = std::min(crossing(1, 0, grid.across), crossing(-1, 0, grid.across));
         if (x >= kFarthest && z >= kFarthest) return;
+        const auto inverse_square = [](float d) { return d < kFarthest ? 1.0f / (d * d) : 0.0f; };
         fixed[s] = 1;
-        distance[s] = x <= 0 || z <= 0 ? 0.0f : 1.0f / std::sqrt(1.0f / (x * x) + 1.0f / (z * z));
+        distance[s] =
+            x <= 0 || z <= 0 ? 0.0f : 1.0f / std::sqrt(inverse_square(x) + inverse_square(z));
     }
 
     // Godunov's upwind solution of |grad d| = 1.

@@ -99,7 +99,7 @@ TEST(ColourMaps, LightnessRisesFromEndToEndWithoutFlatOrSteepStretches) {
 }
 
 TEST(ColourMaps, StressIsLightestWhereThereIsNoneAndDarkensAlikeToBothSides) {
-    for (double x = 0; x < 0.5; x += 0.05) {
+    for (double x = 0; x < 0.46; x += 0.05) {
         EXPECT_LT(lightness(stress_map(x)), lightness(stress_map(x + 0.05))) << x;
         EXPECT_LT(lightness(stress_map(1 - x)), lightness(stress_map(0.95 - x))) << x;
         EXPECT_NEAR(lightness(stress_map(x)), lightness(stress_map(1 - x)), 12) << x;

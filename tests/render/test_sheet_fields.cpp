@@ -30,7 +30,11 @@ TEST(FrontDistance, IsExactForFrontsAlongTheGridAndCloseForSlantedOnes) {
         const std::vector<float> level = straight_front(grid, angle, 80.0);
         const std::vector<float> d = front_distance(grid, level);
         for (std::size_t n = 0; n < d.size(); ++n) {
-            if (std::abs(level[n]) > 30) continue;
+            // near the border the nearest place of the endless front may not be on the sheet
+            const auto row = static_cast<Index>(n) / grid.columns;
+            const auto column = static_cast<Index>(n) % grid.columns;
+            const bool inside = row >= 4 && row < 16 && column >= 4 && column < 26;
+            if (std::abs(level[n]) > 16 || !inside) continue;
             const float allowed = angle == 0 ? 1e-3f : 0.1f * std::abs(level[n]) + 0.4f;
             EXPECT_NEAR(d[n], level[n], allowed) << angle;
         }
@@ -116,7 +120,7 @@ TEST(SmoothFields, NoEdgeShowsTheGrid) {
         for (Index column = 0; column < grid.columns; ++column) {
             const double behind = (kCell * column + kSlope * kCell * row - 16 * kCell) / across;
             level.push_back(static_cast<float>(behind));
-            progress.push_back(static_cast<float>(behind < 0 ? std::exp(behind / 6) - 0.5 : 0.5));
+            progress.push_back(static_cast<float>(behind < 0 ? std::exp(behind / 6) - 0.9 : 0.1));
         }
     }
     const std::vector<float> distance = front_distance(grid, level);
@@ -143,8 +147,10 @@ TEST(SmoothFields, NoEdgeShowsTheGrid) {
         return (1 - t) * ((1 - s) * at(row, column) + s * at(row, column + 1)) +
                t * ((1 - s) * at(row + 1, column) + s * at(row + 1, column + 1));
     };
-    EXPECT_LT(lattice_amplitude(kCell, smooth), 0.06) << "mm";
-    EXPECT_GT(lattice_amplitude(kCell, bilinear), 0.12) << "mm: what it replaces";
+    const double shown = lattice_amplitude(kCell, smooth);  // [mm]
+    const double replaced = lattice_amplitude(kCell, bilinear);
+    EXPECT_LT(shown, 0.03);
+    EXPECT_GT(replaced, 0.15);
 }
 
 }  // namespace
