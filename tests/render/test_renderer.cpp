@@ -190,6 +190,35 @@ TEST(ColourMappedViews, NodesHaveTheColourOfTheirQuantity) {
     EXPECT_LT(fitting(ViewMode::Mass, heat_map, mass), 0.5);
 }
 
+// Stress that rises from column to column, over a scale of ±2 kPa.
+TEST(ColourMappedViews, NodesHaveTheMeanStressOfTheirStructuralSprings) {
+    GlRig rig;
+    const StagedWorld staged = test::hanging_sheet(9, 13);
+    std::vector<std::vector<SpringSegment>> springs(1);
+    for (Index row = 0; row < 9; ++row) {
+        for (Index column = 0; column + 1 < 13; ++column) {
+            const Index n = row * 13 + column;
+            springs[0].push_back({n, n + 1, SpringKind::Structural, 1.0, 300.0 * (column - 5.5)});
+            springs[0].push_back({n, n + 1, SpringKind::Bending, 1.0, 1e9});
+        }
+    }
+    RenderParams params = in_mode(ViewMode::Stress);
+    params.camera.azimuth = params.camera.elevation = 0;
+    params.view.stress_range = 2e3;
+    const WorldView world = staged.view();
+    const Image image = rig.renderer.draw_image({&world, springs}, params, 960, 540);
+    const Camera camera = make_camera(params.camera, 960, 540);
+    for (int column = 1; column < 12; ++column) {
+        const std::size_t n = staged.node(4, column);
+        const Eigen::Vector3f place(static_cast<float>(staged.x[n]),
+                                    static_cast<float>(staged.y[n]), 0.0f);
+        const Eigen::Vector3f p = project(camera, place, 960, 540);
+        const Colour seen = test::linear_colour(image, int(p.x()), int(p.y()));
+        const Colour expected = stress_map(0.5 + 300.0 * (column - 6) / 4e3);
+        EXPECT_LT(test::distance_from_shaded(seen, expected), 0.08f) << column;
+    }
+}
+
 TEST(LatticeView, SpringsHaveTheColourOfTheirKind) {
     GlRig rig;
     StagedWorld staged = test::hanging_sheet(2, 2);

@@ -42,8 +42,10 @@ TEST(ViewParameters, ThereIsANameForEveryViewMode) {
     EXPECT_EQ(mode->choices[static_cast<std::size_t>(ViewMode::Lattice)], "lattice");
     EXPECT_EQ(mode->choices[static_cast<std::size_t>(ViewMode::Temperature)], "temperature");
     EXPECT_EQ(mode->choices[static_cast<std::size_t>(ViewMode::Mass)], "mass");
+    EXPECT_EQ(mode->choices[static_cast<std::size_t>(ViewMode::Stress)], "stress");
+    EXPECT_EQ(mode->choices[static_cast<std::size_t>(ViewMode::Stiffness)], "stiffness");
     EXPECT_EQ(mode->choices[static_cast<std::size_t>(ViewMode::State)], "state");
-    EXPECT_EQ(mode->choices.size(), 5u);
+    EXPECT_EQ(mode->choices.size(), 7u);
 }
 
 }  // namespace
