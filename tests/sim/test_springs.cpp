@@ -7,6 +7,7 @@
 
 #include "rig.h"
 #include "sim/random.h"
+#include "sim/world.h"
 
 namespace ember {
 namespace {
@@ -226,6 +227,37 @@ TEST(Springs, AFreeSheetKeepsItsMomentum) {
     EXPECT_LE((after.first - before.first).norm() / scale, 1e-12);
     // exact for the forces, of the order of the method for the motion
     EXPECT_LE((after.second - before.second).norm() / before.second.norm(), 1e-6);
+}
+
+// A sheet stretched by 0.2 % along its main direction: strain times stiffness over the paper that a
+// spring stands for, and nothing across.
+TEST(SpringSegments, StressAndStiffnessAreThoseOfThePaperThatASpringStandsFor) {
+    Params p;
+    p.sheet.rows = 4;
+    p.sheet.columns = 6;
+    p.sheet.imperfection = 0;
+    p.sheet.border = Border::Uniform;
+    p.springs.stiffness_law = StiffnessLaw::PerNodeMass;
+    p.springs.variation = 0;
+    World world = make_world(p);
+    WorldState state = world.snapshot();
+    auto& y = state.sheets[0].position.y;  // the main direction of a hanging sheet
+    for (double& height : y)
+        height = p.sheet.elevation + 1.002 * (height - p.sheet.elevation);
+    world.restore(state);
+    const double main = p.sheet.height / p.sheet.columns, cross = p.sheet.width / p.sheet.rows;
+    const double node_weight = p.paper.grammage * p.sheet.width * p.sheet.height / (5 * 7);
+    const double k = node_weight * p.springs.structural * p.springs.stiffness_scale;
+    const double caliper = p.paper.grammage / p.paper.density;
+    int along = 0;
+    for (const SpringSegment& spring : world.springs(0)) {
+        EXPECT_NEAR(spring.stiffness, 1.0, 1e-12);
+        const bool is_main = spring.kind == SpringKind::Structural && spring.b == spring.a + 1;
+        along += is_main ? 1 : 0;
+        const double expected = is_main ? k * 0.002 * main / (cross * caliper) : 0.0;
+        EXPECT_NEAR(spring.stress, expected, 1e-6 * k / caliper);
+    }
+    EXPECT_EQ(along, 5 * 6);
 }
 
 }  // namespace
