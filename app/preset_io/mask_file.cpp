@@ -1,7 +1,9 @@
 #include "app/preset_io/mask_file.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <fstream>
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -21,17 +23,29 @@ bool leads_out(const fs::path& path) {
     return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
 }
 
+// Width and height as the header of a PNG says them; false for what is no PNG. Not left to the
+// decoder, which says of a picture that is too large for it that it is none.
+bool png_size(const fs::path& path, std::array<std::uint32_t, 2>& size) {
+    constexpr std::string_view kStart("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
+    std::array<char, 24> head{};
+    std::ifstream file(path, std::ios::binary);
+    if (!file.read(head.data(), head.size())) return false;
+    for (std::size_t i = 0; i < 8; ++i)
+        size[i / 4] = size[i / 4] << 8 | static_cast<unsigned char>(head[kStart.size() + i]);
+    return std::string_view(head.data(), kStart.size()) == kStart;
+}
+
 // The picture, or what is wrong with it.
 std::string read_mask(const fs::path& path, MaskImage& image) {
-    int width = 0, height = 0, channels = 0;
     if (!fs::is_regular_file(path)) return "there is no file " + path.string();
-    if (stbi_info(path.c_str(), &width, &height, &channels) == 0)
-        return path.string() + " is no PNG: " + stbi_failure_reason();
-    const std::string size = std::to_string(width) + " x " + std::to_string(height);
-    if (width < 2 || height < 2)
-        return path.string() + " has " + size + " pixels, a picture needs 2 x 2";
-    if (static_cast<long long>(width) * height > kMostMaskPixels)
-        return path.string() + " has " + size + " pixels, more than 8192 x 8192";
+    std::array<std::uint32_t, 2> size{};
+    if (!png_size(path, size)) return path.string() + " is no PNG";
+    const std::string pixels_text = path.string() + " has " + std::to_string(size[0]) + " x " +
+                                    std::to_string(size[1]) + " pixels, ";
+    if (size[0] < 2 || size[1] < 2) return pixels_text + "a picture needs 2 x 2";
+    if (std::uint64_t{size[0]} * size[1] > kMostMaskPixels)
+        return pixels_text + "more than 8192 x 8192";
+    int width = 0, height = 0, channels = 0;
     const std::unique_ptr<stbi_uc, StbDelete> pixels(
         stbi_load(path.c_str(), &width, &height, &channels, 2));  // grey and opacity
     if (pixels == nullptr) return path.string() + " cannot be read: " + stbi_failure_reason();

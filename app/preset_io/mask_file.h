@@ -14,6 +14,6 @@ namespace ember {
 /// kMostMaskPixels, which is refused before it is decoded. White or grey of at least half is paper.
 [[nodiscard]] std::vector<Diagnostic> read_masks(Params& params, const PresetInfo& info);
 
-inline constexpr long long kMostMaskPixels = 8192ll * 8192ll;
+inline constexpr std::uint64_t kMostMaskPixels = 8192ull * 8192ull;
 
 }  // namespace ember

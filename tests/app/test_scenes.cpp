@@ -110,7 +110,7 @@ std::vector<BadScene> bad_scenes() {
         {"black", s + "[sheet]\nmask = \"black.png\"\n",
          ":3:8: error: sheet.mask: FOLDER/black.png is black: there is no paper"},
         {"unreadable", s + "[sheet]\nmask = \"text.png\"\n",
-         ":3:8: error: sheet.mask: FOLDER/text.png is no PNG: "},
+         ":3:8: error: sheet.mask: FOLDER/text.png is no PNG"},
         {"missing", s + "[[sheets]]\nmask = \"gone.png\"\n",
          ":3:8: error: sheets.1.mask: there is no file FOLDER/gone.png"},
         {"absurd", s + "[sheet]\nmask = \"huge.png\"\n",
