@@ -30,6 +30,7 @@ void point_at(const SheetState& state, SheetView& view) {
     view.phase = state.phase;
     view.site = state.site;
     view.quads = state.quads;
+    view.crack_x = state.cracks.offset_x, view.crack_z = state.cracks.offset_z;
     view.topology_version = state.topology_version;
 }
 

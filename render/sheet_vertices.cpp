@@ -5,6 +5,7 @@
 #include <array>
 
 #include "render/sheet_fields.h"
+#include "render/torn_edges.h"
 
 namespace ember {
 namespace {
@@ -148,13 +149,14 @@ int patch_level(std::size_t quads, double pixels) {
 void append_vertices(const SheetView& sheet, const WorldView& world, int level,
                      std::span<const float> quantity, std::vector<SheetVertex>& vertices) {
     const std::vector<Vector3f> normals = node_normals(sheet);
+    const std::vector<Vector3> torn = torn_positions(sheet, torn_edge_shifts(sheet));
     const FieldGrid fields = make_field_grid(sheet, world);
     for (const Quad& quad : sheet.quads) {
         const Corners c = corners_of(quad);
         std::array<Vector3f, 4> places, n;
         std::array<float, 4> value{};
         for (std::size_t k = 0; k < 4; ++k) {
-            places[k] = place(sheet, c[k]);
+            places[k] = torn.empty() ? place(sheet, c[k]) : Vector3f(torn[c[k]].cast<float>());
             n[k] = normals[c[k]];
             if (!quantity.empty()) value[k] = quantity[c[k]];
         }
@@ -177,13 +179,21 @@ void append_points(const SheetView& sheet, std::size_t number, int level,
     const auto height = static_cast<float>(1e3 * sheet.height);
     const auto width = static_cast<float>(1e3 * sheet.width);
     const TornSides torn(sheet);
+    const auto shifts = torn_edge_shifts(sheet);
     for (std::size_t q = 0; q < sheet.quads.size(); ++q) {
         const Index site = sheet.site[static_cast<std::size_t>(sheet.quads[q][0])];
         const auto row = static_cast<float>(site / sheet.column_count);
         const auto column = static_cast<float>(site % sheet.column_count);
         const auto bits = static_cast<float>(torn.bits(q));
+        std::array<float, 4> aside{}, below{};  // [mm]
+        for (std::size_t k = 0; k < 4 && !shifts.empty(); ++k) {
+            const auto& shift = shifts[static_cast<std::size_t>(sheet.quads[q][k])];
+            aside[k] = static_cast<float>(1e3 * shift[0]);
+            below[k] = static_cast<float>(1e3 * shift[1]);
+        }
         for_patch(level, [&](float s, float t) {
-            const float u = along * (column + s), v = across * (row + t);
+            const float u = along * (column + s) + blend(aside, s, t);
+            const float v = across * (row + t) + blend(below, s, t);
             points.push_back({u, v, s, t, along, across, v / width, u / height,
                               static_cast<float>(number), bits});
         });

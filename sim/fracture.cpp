@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/ash_stress.h"
+#include "sim/relief.h"
+#include "sim/stress_fracture.h"
 #include "sim/topology.h"
 #include "sim/vectorise.h"
 
@@ -10,7 +13,7 @@ namespace ember {
 namespace {
 
 struct Candidate {
-    double elongation;  // [1]
+    double load;  // [1] elongation by strength
     Index slot;
     Index middle;  // site
     CutLine line;  // perpendicular to the spring
@@ -47,13 +50,12 @@ EMBER_VECTORISED std::int64_t count_suspects(const BendingRow& row, std::ptrdiff
 
 // Looks for springs that break.
 struct Search {
-    const Lattice& lattice;
-    const FractureParams& fracture;
-    const SpringNetwork& network;
-    const ActiveNodes& active;
+    const FractureInput& in;
     const SheetState& sheet;
-    double time;
-    std::vector<Candidate> found;
+    const Lattice& lattice = in.lattice;
+    const FractureParams& fracture = in.params.fracture;
+    double time = in.time;
+    std::vector<Candidate> found = {};
 
     void consider(Index a, Index b, Index slot_number) {
         if (!burnt(sheet, a) || !burnt(sheet, b)) return;
@@ -66,9 +68,11 @@ struct Search {
                           sheet.position.at(static_cast<std::size_t>(a));
         const double elongation =
             d.norm() / sheet.rest_length[static_cast<std::size_t>(slot_number)] - 1.0;
-        if (elongation <= fracture.threshold) return;
+        const double load = elongation / relative_strength(lattice, sheet, in.params,
+                                                           in.sheet_number, middle, time);
+        if (load <= fracture.threshold) return;
         found.push_back(
-            {elongation, slot_number, middle, main ? CutLine::AlongCross : CutLine::AlongMain});
+            {load, slot_number, middle, main ? CutLine::AlongCross : CutLine::AlongMain});
     }
 
     // Springs anchored in columns `range` of row r, if one of them may be too long.
@@ -81,7 +85,7 @@ struct Search {
                     b = lattice.site(row_b, range.first) + 2 * main;
         const Index m = lattice.site(middle, range.first) + main;
         const Vector3Array& p = sheet.position;
-        const std::vector<double>& ash = active.ash;
+        const std::vector<double>& ash = in.active.ash;
         // by the letter of the paper the middle node need not be burnt: then look at an end twice
         const BendingRow row{p.x.data() + a,
                              p.y.data() + a,
@@ -92,15 +96,17 @@ struct Search {
                              ash.data() + a,
                              ash.data() + b,
                              ash.data() + (fracture.middle_burnt ? m : a),
-                             network.weight.data() + slot,
+                             in.network.weight.data() + slot,
                              sheet.rest_length.data() + slot,
                              sheet.relief_until.data() + m};
         constexpr double kGenerous = 1.0 - 1e-12;
-        const double least = (1.0 + fracture.threshold) * kGenerous;
+        const double weakest = fracture.ash_strength * (1.0 - fracture.strength_noise);
+        const double least = (1.0 + fracture.threshold * weakest) * kGenerous;
         const Index count = range.last - range.first + 1;
         if (count_suspects(row, count, least, time) == 0) return;
         for (Index i = 0; i < count; ++i) {
-            if (network.weight[static_cast<std::size_t>(slot) + static_cast<std::size_t>(i)] != 0)
+            if (in.network.weight[static_cast<std::size_t>(slot) + static_cast<std::size_t>(i)] !=
+                0)
                 consider(a + i, b + i, slot + i);
         }
     }
@@ -114,8 +120,8 @@ ColumnRange anchors(const Search& search, Slot kind, Index r, bool skip) {
     if (row_b == kNone) return {0, -1};
     const Index last = lattice.column_count - 1 - (main ? 2 : 0);
     if (!skip) return {0, last};
-    const ColumnRange a = search.active.ash_range[static_cast<std::size_t>(r)];
-    const ColumnRange b = search.active.ash_range[static_cast<std::size_t>(row_b)];
+    const ColumnRange a = search.in.active.ash_range[static_cast<std::size_t>(r)];
+    const ColumnRange b = search.in.active.ash_range[static_cast<std::size_t>(row_b)];
     const Index shift = main ? 2 : 0;
     return {std::max(a.first, b.first - shift), std::min({a.last, b.last - shift, last})};
 }
@@ -132,81 +138,50 @@ std::vector<Candidate> find_candidates(Search search, bool skip, StepCounters& c
         }
     }
     const Index first = lattice.slot(Slot::BendMain, 0);
-    for (const ExtraSpring& spring : search.network.extra) {
+    for (const ExtraSpring& spring : search.in.network.extra) {
         if (spring.slot < first) continue;
         ++counters.fracture_visited;
         search.consider(spring.a, spring.b, spring.slot);
     }
     std::sort(search.found.begin(), search.found.end(), [](const Candidate& p, const Candidate& q) {
-        return p.elongation != q.elongation ? p.elongation > q.elongation : p.slot < q.slot;
+        return p.load != q.load ? p.load > q.load : p.slot < q.slot;
     });
     return std::move(search.found);
 }
 
-// Sites within `radius` of `site` on the unburnt sheet rest until `until`.
-void relieve(const Lattice& lattice, Index site, double radius, double until, SheetState& sheet) {
-    const auto reach_rows = static_cast<Index>(
-        std::min(radius / lattice.row_spacing, static_cast<double>(lattice.row_count - 1)));
-    const auto reach_columns = static_cast<Index>(
-        std::min(radius / lattice.column_spacing, static_cast<double>(lattice.column_count - 1)));
-    for (Index dr = -reach_rows; dr <= reach_rows; ++dr) {
-        const Index row = lattice.row_at(lattice.row_of(site), dr);
-        if (row == kNone) continue;
-        for (Index dc = -reach_columns; dc <= reach_columns; ++dc) {
-            const Index column = lattice.column_of(site) + dc;
-            const double z = dr * lattice.row_spacing, x = dc * lattice.column_spacing;
-            const bool inside = column >= 0 && column < lattice.column_count;
-            if (!inside || x * x + z * z > radius * radius) continue;
-            double& rest = sheet.relief_until[static_cast<std::size_t>(lattice.site(row, column))];
-            rest = std::max(rest, until);
-        }
-    }
-}
-
-// Lets go hinges at the given sites and around them.
-std::int64_t release_hinges(const Lattice& lattice, const std::vector<Index>& sites,
-                            SheetState& sheet, StepCounters& counters) {
-    std::int64_t released = 0;
-    const auto release = [&](Index site) {
-        if (site == kNone || !burnt(sheet, site)) return;
-        const Index added = release_hinge(lattice, sheet, site);
-        counters.nodes_added += added;
-        released += added > 0 ? 1 : 0;
-    };
-    for (const Index site : sites) {
-        release(site);
-        for (int d = 0; d < 4; ++d)
-            release(lattice.neighbour(site, d));
-    }
-    return released;
-}
-
-}  // namespace
-
-std::int64_t break_burnt_springs(const Lattice& lattice, const Params& params,
-                                 const SpringNetwork& network, const ActiveNodes& active,
-                                 double time, const std::vector<Index>& burnt_out,
-                                 SheetState& sheet, StepCounters& counters) {
-    const FractureParams& fracture = params.fracture;
-    if (std::isinf(fracture.threshold) || active.ash.empty()) return 0;
-    if (!active.any_ash && params.numerics.skip) return 0;
-    std::vector<Index> opened;
+// The paper's rule.
+std::int64_t break_burnt_springs(const FractureInput& in, SheetState& sheet,
+                                 std::vector<Index>& opened, StepCounters& counters) {
+    const FractureParams& fracture = in.params.fracture;
     std::int64_t cuts = 0;
-    for (const Candidate& c : find_candidates({lattice, fracture, network, active, sheet, time, {}},
-                                              params.numerics.skip, counters)) {
-        if (sheet.relief_until[static_cast<std::size_t>(c.middle)] > time) continue;
+    for (const Candidate& c : find_candidates({in, sheet}, in.params.numerics.skip, counters)) {
+        if (sheet.relief_until[static_cast<std::size_t>(c.middle)] > in.time) continue;
         const std::uint64_t before = sheet.topology_version;
-        counters.nodes_added += cut_site(lattice, sheet, c.middle, c.line);
+        counters.nodes_added += cut_site(in.lattice, sheet, c.middle, c.line);
         if (sheet.topology_version == before) continue;
         ++cuts;
         opened.push_back(c.middle);
         if (fracture.relief_time > 0) {
-            relieve(lattice, c.middle, fracture.relief_radius, time + fracture.relief_time, sheet);
+            relieve(in.lattice, c.middle, fracture.relief_radius, in.time + fracture.relief_time,
+                    sheet);
         }
     }
+    return cuts;
+}
+
+}  // namespace
+
+std::int64_t break_ash(const FractureInput& in, SheetState& sheet, StepCounters& counters) {
+    const FractureParams& fracture = in.params.fracture;
+    if (std::isinf(fracture.threshold) || in.active.ash.empty()) return 0;
+    if (!in.active.any_ash && in.params.numerics.skip) return 0;
+    std::vector<Index> opened;
+    std::int64_t cuts = fracture.rule == FractureRule::Paper
+                            ? break_burnt_springs(in, sheet, opened, counters)
+                            : break_by_stress(in, sheet, opened, counters);
     if (fracture.release_hinges) {
-        cuts += release_hinges(lattice, burnt_out, sheet, counters);
-        cuts += release_hinges(lattice, opened, sheet, counters);
+        cuts += release_hinges(in.lattice, in.burnt_out, sheet, counters);
+        cuts += release_hinges(in.lattice, opened, sheet, counters);
     }
     counters.cuts += cuts;
     if (cuts > 0) find_pieces(sheet);

@@ -48,6 +48,7 @@ constexpr unsigned kEdgeBits[] = {bit(HeldEdge::None),
 static_assert(std::size(kEdges) == std::size(kEdgeBits));
 constexpr std::string_view kStiffnessLaws[] = {"per_area", "per_node_mass"};
 constexpr std::string_view kPatterns[] = {"per_fibre", "per_spring"};
+constexpr std::string_view kFractureRules[] = {"paper", "stress"};
 constexpr std::string_view kShrinkRules[] = {"both_burning", "half"};
 constexpr std::string_view kIntegrators[] = {
     "auto",  "semi_implicit_euler",     "velocity_verlet", "rk4", "dopri5",
@@ -421,10 +422,15 @@ constexpr ParamInfo kRows[] = {
         "fire.force_limit", "", unit::metre_per_second_squared, {0, 1000}, {0, 5}, Linear, Live,
         {"The push never accelerates a node by more than this.", "Our choice"}),
     // ---- fracture ----------------------------------------------------------------------------
+    choice<&P::fracture, &FractureParams::rule>(
+        "fracture.rule", kFractureRules, Live,
+        {"paper: bending springs break, and cuts are horizontal or vertical. stress: cracks of any "
+         "direction follow stress, grain and the burnt boundary.",
+         "Sec. 4.4 (paper), sec. 6 (stress)"}),
     real<&P::fracture, &FractureParams::threshold>(
         "fracture.threshold", "", unit::percent, {0, kInfinity}, {0.6, 4}, Logarithmic, Live,
-        {"A burnt bending spring breaks when stretched by this. Lower falls to smaller flakes; "
-         "inf never cracks.",
+        {"A burnt bending spring breaks when stretched by this; by the rule stress, ash where its "
+         "stress would stretch a whole sheet so. Lower falls to smaller flakes; inf never cracks.",
          "Sec. 4.4"}),
     toggle<&P::fracture, &FractureParams::middle_burnt>(
         "fracture.middle_burnt", Live,
@@ -440,6 +446,32 @@ constexpr ParamInfo kRows[] = {
     toggle<&P::fracture, &FractureParams::release_hinges>(
         "fracture.release_hinges", Live,
         {"Pieces that hang together by a single node let go.", "Our choice"}),
+    real<&P::fracture, &FractureParams::ash_strength>(
+        "fracture.ash_strength", "", unit::percent, {1, 100}, {5, 100}, Linear, Live,
+        {"Ash grows weak with age, down to this share of the threshold ...", "Our choice"}),
+    real<&P::fracture, &FractureParams::ash_time>(
+        "fracture.ash_time", "", unit::second, {0.001, 1000}, {0.5, 10}, Logarithmic, Live,
+        {"... in this time after it burnt out, for 80 g/m^2; in proportion to grammage.",
+         "Our choice"}),
+    real<&P::fracture, &FractureParams::strength_noise>(
+        "fracture.strength_noise", "", unit::percent, {0, 90}, {0, 40}, Linear, Live,
+        {"Formation: how much the strength of ash varies from place to place ...", "Our choice"}),
+    real<&P::fracture, &FractureParams::noise_length>(
+        "fracture.noise_length", "", unit::millimetre, {1, 1000}, {5, 40}, Linear, Live,
+        {"... and over what distance.", "Our choice"}),
+    real<&P::fracture, &FractureParams::grain>(
+        "fracture.grain", "", unit::one, {0.05, 20}, {0.4, 1}, Linear, Live,
+        {"Strength across the fibres, relative to along them. Lower turns cracks along the main "
+         "direction. Only for the rule stress.",
+         "Our choice"}),
+    real<&P::fracture, &FractureParams::boundary>(
+        "fracture.boundary", "", unit::one, {0, 0.95}, {0, 0.5}, Linear, Live,
+        {"How much weaker ash is across the line that the fire front has left in it: more turns "
+         "cracks along the burnt boundary. Only for the rule stress.",
+         "Our choice"}),
+    real<&P::fracture, &FractureParams::crack_speed>(
+        "fracture.crack_speed", "", unit::metre_per_second, {0.001, 1000}, {0.05, 1}, Logarithmic,
+        Live, {"How fast a crack runs on. Only for the rule stress.", "Our choice"}),
     // ---- numerics ----------------------------------------------------------------------------
     integer<&P::numerics, &NumericsParams::seed>(
         "numerics.seed", "", {0, 9007199254740991.0}, {0, 1000}, Rebuild,

@@ -176,13 +176,23 @@ struct ShrinkageParams {
     bool literal_stiffness = false;  // k_s of the spring's own kind
 };
 
+enum class FractureRule : std::uint8_t { Paper, Stress };
+
 /// Cracks (section 4.4).
 struct FractureParams {
+    FractureRule rule = FractureRule::Paper;
     double threshold = 0.012;  // [1] elongation of a burnt bending spring
     bool middle_burnt = true;
     double relief_radius = 0.025;  // [m] around a cut ...
     double relief_time = 0.70;     // [s] ... that rests this long
     bool release_hinges = true;
+    double ash_strength = 1.0;    // [1] share of its strength that old ash keeps
+    double ash_time = 3.0;        // [s] in which it loses the rest
+    double strength_noise = 0.0;  // [1] of strength, from place to place ...
+    double noise_length = 0.010;  // [m] ... at this distance
+    double grain = 0.7;           // [1] strength across the fibres, relative to along them
+    double boundary = 0.2;        // [1] weakness across the line that the front has left
+    double crack_speed = 0.15;    // [m/s]
 };
 
 enum class IntegratorKind : std::uint8_t {

@@ -13,7 +13,8 @@ enum class RandomUse : std::uint64_t {
     MainSpring,
     CrossSpring,
     Waviness,
-    Particle
+    Particle,
+    AshStrength
 };
 
 /// 64 well mixed bits; the mixing is that of SplitMix64 (Steele, Lea and Flood 2014).

@@ -9,6 +9,7 @@
 #include "sim/math.h"
 #include "sim/plate.h"
 #include "sim/random.h"
+#include "sim/smooth_noise.h"
 #include "sim/topology.h"
 
 namespace ember {
@@ -17,21 +18,10 @@ namespace {
 constexpr double kTwoPi = 6.283185307179586;
 constexpr Index kWaves = 6;  // control points of the waviness per side
 
-double smoothstep(double t) {
-    return t * t * (3.0 - 2.0 * t);
-}
-
-// Smooth random height in [-1, 1] at (u, v) in [0, 1]²: random values on a coarse grid, blended.
-double waviness(double u, double v, std::uint64_t seed, std::size_t sheet) {
-    const double x = u * kWaves, y = v * kWaves;
-    const double x0 = std::floor(x), y0 = std::floor(y);
-    const auto corner = [&](double dx, double dy) {
-        const auto index = static_cast<std::uint64_t>((y0 + dy) * (kWaves + 2) + (x0 + dx));
-        return 2.0 * random_uniform(seed, RandomUse::Waviness, sheet, index) - 1.0;
-    };
-    const double s = smoothstep(x - x0), t = smoothstep(y - y0);
-    return (1 - t) * ((1 - s) * corner(0, 0) + s * corner(1, 0)) +
-           t * ((1 - s) * corner(0, 1) + s * corner(1, 1));
+// Smooth random height in [-1, 1] at (u, v) in [0, 1]², the same at v = 0 and 1 of a tube.
+double waviness(double u, double v, bool closed, std::uint64_t seed, std::size_t sheet) {
+    const SmoothNoise noise{seed, RandomUse::Waviness, sheet, kWaves + 2, closed ? kWaves : 0.0};
+    return noise.at(u * kWaves, v * kWaves);
 }
 
 // Position of a site: on the plane of the plan, or on the polygon of the tube, plus waviness.
@@ -40,7 +30,8 @@ Vector3 place(const SheetPlan& plan, const Lattice& lattice, Index row, Index co
     const Vector3 normal = plan.cross.cross(plan.main);
     const double along = column * lattice.column_spacing;
     const double u = double(column) / std::max(lattice.column_count - 1, 1);
-    const double bump = plan.imperfection * waviness(u, double(row) / plan.rows, seed, sheet);
+    const double bump =
+        plan.imperfection * waviness(u, double(row) / plan.rows, lattice.closed, seed, sheet);
     if (!lattice.closed) {
         return plan.origin + along * plan.main + row * lattice.row_spacing * plan.cross +
                bump * normal;
@@ -48,11 +39,8 @@ Vector3 place(const SheetPlan& plan, const Lattice& lattice, Index row, Index co
     // regular polygon whose sides are one row spacing; its axis runs along `main`
     const double angle = kTwoPi * row / lattice.row_count;
     const double radius = 0.5 * lattice.row_spacing / ember::sin(0.5 * kTwoPi / lattice.row_count);
-    // a tube's waviness must close on itself, so it is taken around the ring twice over
-    const double ring =
-        plan.imperfection * waviness(u, std::abs(2.0 * row / lattice.row_count - 1.0), seed, sheet);
     const Vector3 out = ember::cos(angle) * plan.cross + ember::sin(angle) * normal;
-    return plan.origin + along * plan.main + (radius + ring) * out;
+    return plan.origin + along * plan.main + (radius + bump) * out;
 }
 
 // Mass of every site [kg].

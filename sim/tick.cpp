@@ -196,8 +196,8 @@ void run_fracture(const Tick& t, StepCounters& counters) {
     const StageScope scope(t.observer, Stage::Fracture);
     for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
         SheetWorkspace& w = t.work.sheets[s];
-        break_burnt_springs(w.lattice, t.params, w.network, w.active, end_time(t), w.burnt_out,
-                            t.state.sheets[s], counters);
+        break_ash({w.lattice, t.params, w.network, w.active, s, end_time(t), w.burnt_out},
+                  t.state.sheets[s], counters);
     }
     t.state.totals.cuts += counters.cuts;
     if (counters.cuts == 0) return;

@@ -94,30 +94,34 @@ std::array<int, 4> fan_parts(const Lattice& lattice, Index site, unsigned glue) 
     return parts;
 }
 
-Index cut_site(const Lattice& lattice, SheetState& sheet, Index site, CutLine line) {
-    const unsigned cleared = line == CutLine::AlongMain ? 0b0101u : 0b1010u;
+Index open_site(const Lattice& lattice, SheetState& sheet, Index site, unsigned mask) {
     std::uint8_t& glue = sheet.glue[static_cast<std::size_t>(site)];
-    if ((glue & cleared) == 0) return 0;
-    glue = static_cast<std::uint8_t>(glue & ~cleared);
+    if ((glue & mask) == 0) return 0;
+    glue = static_cast<std::uint8_t>(glue & ~mask);
     ++sheet.topology_version;
     return separate(lattice, sheet, site);
 }
 
-Index release_hinge(const Lattice& lattice, SheetState& sheet, Index site) {
-    const unsigned glue = sheet.glue[static_cast<std::size_t>(site)];
-    unsigned strong = 0;
+Index cut_site(const Lattice& lattice, SheetState& sheet, Index site, CutLine line) {
+    return open_site(lattice, sheet, site, line == CutLine::AlongMain ? 0b0101u : 0b1010u);
+}
+
+unsigned edges_open_beyond(const Lattice& lattice, const SheetState& sheet, Index site) {
+    unsigned open = 0;
     for (int d = 0; d < 4; ++d) {
         const Index other = lattice.neighbour(site, d);
         if (other == kNone) continue;
-        const bool held_there =
-            (sheet.glue[static_cast<std::size_t>(other)] >> ((d + 2) % 4) & 1) != 0;
-        if (held_there) strong |= glue & (1u << d);
+        const unsigned there = sheet.glue[static_cast<std::size_t>(other)];
+        if ((there >> ((d + 2) % 4) & 1u) == 0) open |= 1u << d;
     }
-    const auto now = fan_parts(lattice, site, glue), then = fan_parts(lattice, site, strong);
-    if (now == then) return 0;
-    sheet.glue[static_cast<std::size_t>(site)] = static_cast<std::uint8_t>(strong);
-    ++sheet.topology_version;
-    return separate(lattice, sheet, site);
+    return open;
+}
+
+Index release_hinge(const Lattice& lattice, SheetState& sheet, Index site) {
+    const unsigned glue = sheet.glue[static_cast<std::size_t>(site)];
+    const unsigned strong = glue & ~edges_open_beyond(lattice, sheet, site);
+    if (fan_parts(lattice, site, glue) == fan_parts(lattice, site, strong)) return 0;
+    return open_site(lattice, sheet, site, glue & ~strong);
 }
 
 Index find_pieces(SheetState& sheet) {

@@ -6,7 +6,7 @@
 //              3 (-z)                   sector k lies between direction k and k+1
 //          2     │     3
 //   2 (-x) ──────┼────── 0 (+x)         quads connected through glued edges form one copy of the
-//          1     │     0                node; a cut clears two opposite bits
+//          1     │     0                node; a cut clears two bits, opposite or adjacent
 //              1 (+z)
 //
 // Quads are never added or removed. Springs follow from quads and glue (spring_network.h).
@@ -31,10 +31,19 @@ enum class CutLine : std::uint8_t { AlongMain, AlongCross };
 /// nodes added.
 Index separate(const Lattice& lattice, SheetState& sheet, Index site);
 
-/// Cuts `site` along a line: clears the glue of the two edges on it and gives every part of the
-/// fan that has lost touch a copy of the node. Mass is shared by the number of quads; everything
-/// else is copied. Returns the number of nodes added: 0 when the site cannot open there.
+/// Clears the glue bits `mask` of `site` and gives every part of the fan that has lost touch a copy
+/// of the node. Two opposite bits are a straight cut, two adjacent ones a corner. Mass is shared by
+/// the number of quads; everything else is copied. Returns the number of nodes added: 0 when the
+/// site cannot open there.
+Index open_site(const Lattice& lattice, SheetState& sheet, Index site, unsigned mask);
+
+/// Cuts `site` along a line: opens the two edges on it.
 Index cut_site(const Lattice& lattice, SheetState& sheet, Index site, CutLine line);
+
+/// The edges of `site` that are no longer glued at their other end, as a mask: a crack has come
+/// along each of them as far as this site.
+[[nodiscard]] unsigned edges_open_beyond(const Lattice& lattice, const SheetState& sheet,
+                                         Index site);
 
 /// Lets go quads that hang together at `site` by this node alone: edges that are no longer glued
 /// at their other end do not count. Returns the number of nodes added.

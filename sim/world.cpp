@@ -33,6 +33,7 @@ SheetView view_of(const SheetState& sheet, const SheetPlan& plan, const Lattice&
     view.phase = sheet.phase;
     view.site = sheet.site;
     view.quads = sheet.quads;
+    view.crack_x = sheet.cracks.offset_x, view.crack_z = sheet.cracks.offset_z;
     view.topology_version = sheet.topology_version;
     return view;
 }

@@ -16,6 +16,14 @@ struct RestCurvature {
     std::vector<double> main, cross, twist;
 };
 
+/// Cracks that follow the stress: see crack_path.h. Arrays over sites, S; empty before the first.
+struct CrackPaths {
+    std::vector<double> offset_x, offset_z;    ///< [m] from the site to the crack's curve
+    std::vector<double> heading_x, heading_z;  ///< unit vector at tips, 0 elsewhere
+    std::vector<double> due;                   ///< [s] when a tip may go on
+    std::vector<Index> tips;                   ///< sites, in the order in which they were reached
+};
+
 /// What evolves on one sheet. Node n < site count is the first copy of site n; cuts append copies.
 struct SheetState {
     // per node, N
@@ -34,6 +42,7 @@ struct SheetState {
     std::vector<std::uint8_t> glue;    ///< bit d: quads on both sides of edge d share a node
     std::vector<double> relief_until;  ///< [s] no cut at this site before
     RestCurvature rest_curvature;      ///< of a sheet that is a plate
+    CrackPaths cracks;
     // per lattice row
     std::vector<Index> quiet_ticks;  ///< ticks that the row has rested, see sleep.h
     // per spring slot, 6×S (see lattice.h)
@@ -136,6 +145,13 @@ void for_each_field(State& s, Visitor&& visit) {
         visit("sheet.quiet_ticks", sheet.quiet_ticks);
         visit("sheet.rest_length", sheet.rest_length), visit("sheet.quads", sheet.quads);
         visit("sheet.topology_version", sheet.topology_version);
+        auto& cracks = sheet.cracks;
+        if (!cracks.due.empty()) {  // not among the fields of a sheet without
+            visit("cracks.offset_x", cracks.offset_x), visit("cracks.offset_z", cracks.offset_z);
+            visit("cracks.heading_x", cracks.heading_x);
+            visit("cracks.heading_z", cracks.heading_z), visit("cracks.due", cracks.due);
+            visit("cracks.tips", cracks.tips);
+        }
         auto& rest = sheet.rest_curvature;
         if (rest.main.empty()) continue;  // not among the fields of a sheet without
         visit("sheet.rest_curvature", rest.main), visit("sheet.rest_curvature", rest.cross);

@@ -37,7 +37,10 @@ struct SheetView {
     std::span<const Phase> phase;           ///< N
     std::span<const Index> site;            ///< N; row * column_count + column of each node
     std::span<const Quad> quads;            ///< constant count
-    std::uint64_t topology_version = 0;     ///< changes when quads or springs change
+    /// From each site to the curve of the crack through it, in the main and cross direction [m];
+    /// rows*columns, or empty.
+    std::span<const double> crack_x, crack_z;
+    std::uint64_t topology_version = 0;  ///< changes when quads or springs change
 };
 
 /// Fire particles. Arrays over particles have P entries, oldest first within an emitter.

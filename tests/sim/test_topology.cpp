@@ -5,7 +5,6 @@
 #include <set>
 
 #include "rig.h"
-#include "sim/fracture.h"
 #include "sim/random.h"
 #include "sim/topology.h"
 
@@ -126,6 +125,27 @@ TEST(Cut, ASecondCutAtTheSameNode) {
     EXPECT_EQ(springs_between(rig, 11, 13).first, 0);
 }
 
+//   + A +        A corner: the path of a crack turns at the node. One quad is cut off from three,
+//   A B═==       and both bending springs through the node are gone on its side.
+//   + ‖ +
+TEST(Cut, ACornerSplitsOneQuadFromThree) {
+    for (int k = 0; k < 4; ++k) {
+        Rig rig(plain(4, 4));
+        const double mass = total_mass(rig);
+        EXPECT_EQ(open_site(rig.lattice, rig.sheet, 12, 1u << k | 1u << (k + 1) % 4), 1);
+        rig.refresh();
+        EXPECT_NEAR(total_mass(rig) / mass, 1.0, 1e-15);
+        const Index alone = node(rig, 12, k);
+        for (int j = 0; j < 4; ++j)
+            EXPECT_EQ(node(rig, 12, j) == alone, j == k);
+        EXPECT_NEAR(rig.sheet.mass[static_cast<std::size_t>(alone)], 0.25 * 0.080 * 1e-4,
+                    1e-18);                                // a quarter of a cell
+        EXPECT_EQ(springs_between(rig, 11, 13).first, 1);  // on the far side of the corner
+        EXPECT_EQ(springs_between(rig, 7, 17).first, 1);
+        EXPECT_EQ(find_pieces(rig.sheet), 1);
+    }
+}
+
 //   +  +  +      T: a crack along z at (1,2) runs into one along x at (2,2). At (2,2) the upper
 //      ‖         quads hold together by the node alone, as the edge between them is open at its
 //   +==+==+      other end. As hinges they stay together; released, the crack goes through.
@@ -232,8 +252,9 @@ TEST(Cut, TenThousandRandomCutsKeepQuadsMassAndSprings) {
             if (i % 7 == 3) {
                 release_hinge(rig.lattice, rig.sheet, site);
             } else {
-                cut_site(rig.lattice, rig.sheet, site,
-                         (bits & 1) != 0 ? CutLine::AlongMain : CutLine::AlongCross);
+                // two straight cuts and four corners
+                constexpr unsigned kPairs[] = {0b0101, 0b1010, 0b0011, 0b0110, 0b1100, 0b1001};
+                open_site(rig.lattice, rig.sheet, site, kPairs[bits % 6]);
             }
         }
         rig.refresh();
@@ -263,77 +284,6 @@ TEST(Cut, TenThousandRandomCutsKeepQuadsMassAndSprings) {
                                 << "a spring between nodes without a common quad";
                         });
     }
-}
-
-// A burnt strip pulled apart: every bending spring along it is too long.
-Rig pulled_strip(double stretch) {
-    Params p = plain(1, 12);
-    p.fracture.relief_radius = 0.025;
-    p.fracture.relief_time = 0.1;
-    Rig rig(p);
-    rig.sheet.phase.assign(rig.sheet.phase.size(), Phase::BurntOut);
-    for (double& x : rig.sheet.position.x)
-        x *= 1 + stretch;
-    return rig;
-}
-
-std::int64_t break_strip(Rig& rig, double time) {
-    ActiveNodes active;
-    find_active(rig.lattice, rig.sheet, active);
-    const auto cuts = break_burnt_springs(rig.lattice, rig.params, rig.network, active, time, {},
-                                          rig.sheet, rig.counters);
-    rig.refresh();
-    return cuts;
-}
-
-TEST(Fracture, NothingBreaksBelowTheThresholdOrUnburnt) {
-    Rig below = pulled_strip(0.0119);
-    EXPECT_EQ(break_strip(below, 0), 0);
-    Rig above = pulled_strip(0.0121);
-    EXPECT_GT(break_strip(above, 0), 0);
-    Rig burning = pulled_strip(0.1);
-    burning.sheet.phase.assign(burning.sheet.phase.size(), Phase::Burning);
-    EXPECT_EQ(break_strip(burning, 0), 0);
-    Rig never = pulled_strip(0.5);
-    never.params.fracture.threshold = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(break_strip(never, 0), 0);
-}
-
-TEST(Fracture, TheMiddleNodeMustBeBurntUnlessThePaperIsTakenByTheLetter) {
-    for (const bool middle_burnt : {true, false}) {
-        Rig rig = pulled_strip(0.1);
-        rig.params.fracture.middle_burnt = middle_burnt;
-        for (Index c = 1; c < 12; c += 2) {
-            for (Index r = 0; r < 2; ++r)
-                rig.sheet.phase[rig.site(r, c)] = Phase::Burning;
-        }
-        if (middle_burnt) {
-            EXPECT_EQ(break_strip(rig, 0), 0);
-        } else {
-            EXPECT_GT(break_strip(rig, 0), 0);
-        }
-    }
-}
-
-TEST(Fracture, TheWorstSpringGoesFirstAndItsNeighbourhoodRests) {
-    Rig rig = pulled_strip(0.05);
-    rig.params.fracture.release_hinges = false;
-    for (Index r = 0; r < 2; ++r)
-        rig.sheet.position.x[rig.site(r, 7)] += 0.004;
-    // the longest spring ends at column 7, its middle is column 6, and sites within 25 mm rest
-    break_strip(rig, 0.0);
-    EXPECT_EQ(fan(rig, 0, 6), "01..");
-    EXPECT_EQ(fan(rig, 0, 5), "00..");
-    EXPECT_EQ(fan(rig, 0, 7), "00..");
-    EXPECT_EQ(break_strip(rig, 0.05), 0);  // still resting
-    EXPECT_GT(break_strip(rig, 0.11), 0);  // rested
-}
-
-TEST(Fracture, WithoutReliefEverythingOverStretchedBreaksAtOnce) {
-    Rig rig = pulled_strip(0.05);
-    rig.params.fracture.relief_time = 0;
-    rig.params.fracture.release_hinges = false;
-    EXPECT_EQ(break_strip(rig, 0), 2 * 11);
 }
 
 }  // namespace
