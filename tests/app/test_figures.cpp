@@ -8,9 +8,11 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "app/bench/bench_run.h"
+#include "sim/param_table.h"
 
 namespace ember {
 namespace {
@@ -47,16 +49,28 @@ double out_of_plane(const SheetState& sheet) {
     return std::sqrt(std::max(0.0, square / sites - sum * sum / (sites * sites)));
 }
 
+// Share of a sheet's initial mass in pieces that nothing holds any more.
+double loose_share(const SheetState& sheet) {
+    double loose = 0, all = 0;
+    for (std::size_t n = 0; n < sheet.initial_mass.size(); ++n) {
+        all += sheet.initial_mass[n];
+        loose += sheet.piece_held[n] == 0 ? sheet.initial_mass[n] : 0.0;
+    }
+    return loose / all;
+}
+
 // One burn in numbers.
 struct Outcome {
     bool ok = true;
     std::array<double, 3> reached{kNever, kNever, kNever};  // [s] 10, 50 and 90 % burnt out
     double burnt = 0;                                       // share of sites at the end
-    double early_burnt = 0;                                 // ... and at the early time
+    double early_burnt = 0, early_cuts = 0;                 // ... and at the early time
     double early_crumple = 0;                               // [m] out of plane at the early time
     double speed = 0;                                       // [m/s] of the front
     double band = 0;                                        // [m] mean width of what burns
     double cuts = 0;
+    double broken = kNever;     // [s] when the first piece came off
+    double fallen = 0;          // share of the paper's mass that is not held at the end
     std::vector<double> first;  // [s] first ignition of each sheet
 };
 
@@ -103,8 +117,11 @@ Outcome burn(Params params, std::int64_t seed, double duration, double early) {
             if (share.burnt >= std::array{0.1, 0.5, 0.9}[i])
                 outcome.reached[i] = std::min(outcome.reached[i], time);
         }
+        outcome.fallen = loose_share(world.state().sheets[0]);
+        if (outcome.fallen > 0) outcome.broken = std::min(outcome.broken, time);
         if (time <= early) {
             outcome.early_burnt = share.burnt;
+            outcome.early_cuts = static_cast<double>(world.state().totals.cuts);
             outcome.early_crumple = out_of_plane(world.state().sheets[0]);
         }
         outcome.burnt = share.burnt;
@@ -146,11 +163,18 @@ void print_table(const char* name, const Outcomes& outcomes) {
     print_row("90 % burnt out [s]", outcomes, 1, [](const Outcome& o) { return o.reached[2]; });
     print_row("burnt at the end [%]", outcomes, 100, [](const Outcome& o) { return o.burnt; });
     print_row("cuts", outcomes, 1, [](const Outcome& o) { return o.cuts; });
+    print_row("first piece off [s]", outcomes, 1, [](const Outcome& o) { return o.broken; });
+    print_row("fallen at the end [%]", outcomes, 100, [](const Outcome& o) { return o.fallen; });
 }
 
 void print_front(const Outcomes& outcomes) {
     print_row("front speed [mm/s]", outcomes, 1000, [](const Outcome& o) { return o.speed; });
     print_row("burning band [mm]", outcomes, 1000, [](const Outcome& o) { return o.band; });
+    print_row("burnt at the early time [%]", outcomes, 100,
+              [](const Outcome& o) { return o.early_burnt; });
+    print_row("out of plane then, RMS [mm]", outcomes, 1000,
+              [](const Outcome& o) { return o.early_crumple; });
+    print_row("cuts then", outcomes, 1, [](const Outcome& o) { return o.early_cuts; });
 }
 
 // How many pairs of runs with the same seed are as claimed.
@@ -160,6 +184,25 @@ int holds(const Outcomes& a, const Outcomes& b, Claim&& claim) {
     for (std::size_t i = 0; i < kSeeds; ++i)
         count += claim(a[i], b[i]) ? 1 : 0;
     return count;
+}
+
+// Keys of the parameters in which two presets differ.
+std::vector<std::string> differences(const std::string& a, const std::string& b) {
+    const Params p = bench_params(a), q = bench_params(b);
+    std::vector<std::string> keys;
+    for (const ParamInfo& row : sim_param_rows()) {
+        if (row.get(&p) != row.get(&q)) keys.emplace_back(row.key);
+    }
+    return keys;
+}
+
+TEST(Pairs, DifferInTheNamedParametersOnly) {
+    using Keys = std::vector<std::string>;
+    EXPECT_EQ(differences("paper/cigarette_white", "paper/cigarette_rolling"), Keys{"paper.c_s"});
+    // cardboard does not catch fire from what lights paper
+    EXPECT_EQ(differences("paper/corner", "paper/cardboard"),
+              (Keys{"paper.grammage", "paper.c_s", "lighter.strength", "lighter.duration"}));
+    EXPECT_EQ(differences("paper/corner", "paper/corner_no_fracture"), Keys{"fracture.threshold"});
 }
 
 TEST(Figure7, WithoutFractureNothingIsCutAndAllBurns) {
@@ -190,7 +233,8 @@ TEST(Figure8, CardboardBurnsSlowerCrumplesAndCracksLessThanPaper) {
     EXPECT_GE(less([](const Outcome& o) { return o.early_crumple; }), kMustHold);
     EXPECT_GE(less([](const Outcome& o) { return o.speed; }), kMustHold);
     EXPECT_GE(less([](const Outcome& o) { return o.band; }), kMustHold);
-    EXPECT_GE(less([](const Outcome& o) { return o.cuts; }), kMustHold);
+    EXPECT_GE(less([](const Outcome& o) { return o.early_cuts; }), kMustHold);
+    EXPECT_GE(less([](const Outcome& o) { return o.cuts; }), kMustHold);  // in all, too
 }
 
 TEST(Figure1, TheSheetsOfAStackIgniteInOrderAndOnlyByParticles) {
@@ -214,19 +258,18 @@ TEST(Figure1, TheSheetsOfAStackIgniteInOrderAndOnlyByParticles) {
               kMustHold);
 }
 
-TEST(Figures9And10, TheWhiteCigaretteGoesOutAndTheRollingPaperTurnsToAsh) {
-    const Params white = bench_params("paper/cigarette_white");
-    Params rolling = white;
-    rolling.paper.c_s = 5e-4;
-    ASSERT_EQ(bench_params("paper/cigarette_rolling").paper.c_s, rolling.paper.c_s);
-    const Outcomes whites = burn_all(white, 8);
-    const Outcomes rollings = burn_all(rolling, 8);
+TEST(Figures9And10, TheWhiteCigaretteGoesOutAndBreaksAndTheRollingPaperTurnsToAsh) {
+    const Outcomes whites = burn_all(bench_params("paper/cigarette_white"), 9);
+    const Outcomes rollings = burn_all(bench_params("paper/cigarette_rolling"), 9);
     print_table("cigarette_white", whites);
     print_table("cigarette_rolling", rollings);
-    EXPECT_GE(
-        holds(whites, rollings,
-              [](const Outcome& w, const Outcome&) { return w.burnt > 0.05 && w.burnt < 0.6; }),
-        kMustHold);
+    // consumed in part, and what has burnt comes off
+    EXPECT_GE(holds(whites, rollings,
+                    [](const Outcome& w, const Outcome&) {
+                        return w.burnt > 0.05 && w.burnt < 0.6 && std::isfinite(w.broken) &&
+                               w.fallen < 0.6;
+                    }),
+              kMustHold);
     // all but the rings at its end, which is held and kept cold
     EXPECT_GE(
         holds(whites, rollings, [](const Outcome&, const Outcome& r) { return r.burnt > 0.9; }),

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numeric>
 
 #include "sim/world.h"
+#include "small_sheet.h"
 
 namespace ember {
 namespace {
@@ -130,6 +132,42 @@ TEST(Corner, WithAnInfiniteThresholdNothingCracks) {
     const Burn burn(params, 8);
     EXPECT_EQ(burn.world.state().totals.cuts, 0);
     EXPECT_EQ(burn.world.state().sheets[0].mass.size(), 33u * 49u);
+}
+
+// Length of all cracks by burnt area [1/m], over three seeds: each cut is about one edge long.
+double crack_density(double tick_rate, int rows, int columns) {
+    double length = 0, area = 0;
+    for (const std::int64_t seed : {1, 2, 3}) {
+        Params p = test::small_sheet();
+        p.fracture.rule = FractureRule::Stress;
+        p.fracture.threshold = 0.025;
+        p.fracture.ash_strength = 0.05;
+        p.fracture.ash_time = 1;
+        p.fracture.strength_noise = 0.3;
+        p.sheet.rows = rows;
+        p.sheet.columns = columns;
+        p.numerics.tick_rate = tick_rate;
+        p.numerics.seed = seed;
+        const Burn burn(p, 5);
+        EXPECT_TRUE(burn.last.ok()) << burn.last.reason;
+        const double spacing = std::sqrt(p.sheet.width / rows * p.sheet.height / columns);
+        length += spacing * static_cast<double>(burn.world.state().totals.cuts);
+        area += burn.burnt_share * p.sheet.width * p.sheet.height;
+    }
+    return length / area;
+}
+
+TEST(StressCracks, TheirDensityDependsNeitherOnTheTickNorMuchOnTheLattice) {
+    const double base = crack_density(60, 18, 24);
+    const double ticks = crack_density(120, 18, 24), fine = crack_density(60, 27, 36);
+    std::printf(
+        "  cracks per burnt area [1/m]: %.1f, at 120 ticks per second %.1f, on a lattice "
+        "1.5 times as fine %.1f\n",
+        base, ticks, fine);
+    EXPECT_GT(base, 5);
+    EXPECT_NEAR(ticks / base, 1.0, 0.3);
+    EXPECT_GT(fine / base, 1 / 1.6);
+    EXPECT_LT(fine / base, 1.6);
 }
 
 }  // namespace
