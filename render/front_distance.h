@@ -1,6 +1,7 @@
 // How far every site of a lattice is from a front, along the unburnt sheet: pure.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,10 @@ struct SiteGrid {
     Index rows = 0, columns = 0;
     bool closed = false;           ///< the last row is followed by the first
     double across = 0, along = 0;  ///< [mm] between rows and between columns
+    [[nodiscard]] std::size_t site(Index row, Index column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+               static_cast<std::size_t>(column);
+    }
 };
 
 inline constexpr float kFarthest = 200.0f;  ///< [mm] distances are cut off here

@@ -38,7 +38,8 @@ class Painter {
     explicit Painter(std::vector<LegendVertex>& out) : out_(out) {}
     void rectangle(float x, float y, float wide, float high, const Colour& c, int cell = kFilled) {
         const auto u = static_cast<float>(cell % kColumns * kCellWide);
-        const auto v = static_cast<float>(cell / kColumns * kCellHigh);
+        const int row = cell / kColumns;
+        const auto v = static_cast<float>(row * kCellHigh);
         const bool filled = cell == kFilled;
         const auto corner = [&](float right, float up) {
             out_.push_back({x + right * wide, y + up * high,

@@ -14,11 +14,11 @@ constexpr double kReach = 60.0;       // [mm] fields are flat beyond
 
 // Speed of the front when it passed a site [mm/s]: 1 / |grad ignition time|, upwind.
 double front_speed(const SheetView& sheet, const SiteGrid& grid, Index row, Index column) {
-    const auto n = static_cast<std::size_t>(row * grid.columns + column);
+    const std::size_t n = grid.site(row, column);
     const auto before = [&](Index r, Index c) {
         if (grid.closed) r = (r + grid.rows) % grid.rows;
         if (r < 0 || r >= grid.rows || c < 0 || c >= grid.columns) return 0.0;
-        const double other = sheet.ignition_time[static_cast<std::size_t>(r * grid.columns + c)];
+        const double other = sheet.ignition_time[grid.site(r, c)];
         return std::max(0.0, sheet.ignition_time[n] - other);  // 0 where it has not ignited
     };
     const double x = std::max(before(row, column - 1), before(row, column + 1)) / grid.along;
@@ -37,7 +37,7 @@ double distance_by_warmth(double temperature, const WorldView& world) {
 // The node that stands for each site: its own, or where the sheet has no paper that of paper close
 // by, so that no front is seen along an outline.
 std::vector<std::size_t> sources_of(const SheetView& sheet, const SiteGrid& grid) {
-    const auto sites = static_cast<std::size_t>(grid.rows * grid.columns);
+    const std::size_t sites = grid.site(grid.rows, 0);
     std::vector<std::size_t> source(sites, sites);
     for (std::size_t n = 0; n < sites; ++n) {
         if (sheet.initial_mass[n] > 0) source[n] = n;
@@ -68,7 +68,7 @@ Levels front_levels(const SheetView& sheet, const WorldView& world, const SiteGr
     Levels levels;
     for (Index row = 0; row < grid.rows; ++row) {
         for (Index column = 0; column < grid.columns; ++column) {
-            const std::size_t n = source[static_cast<std::size_t>(row * grid.columns + column)];
+            const std::size_t n = source[grid.site(row, column)];
             if (sheet.phase[n] == Phase::Unburnt) {
                 const double ahead = distance_by_warmth(sheet.temperature[n], world) + 1e-3;
                 levels.ignition.push_back(static_cast<float>(-ahead));

@@ -182,7 +182,8 @@ void append_points(const SheetView& sheet, std::size_t number, int level,
     const auto shifts = torn_edge_shifts(sheet);
     for (std::size_t q = 0; q < sheet.quads.size(); ++q) {
         const Index site = sheet.site[static_cast<std::size_t>(sheet.quads[q][0])];
-        const auto row = static_cast<float>(site / sheet.column_count);
+        const Index site_row = site / sheet.column_count;
+        const auto row = static_cast<float>(site_row);
         const auto column = static_cast<float>(site % sheet.column_count);
         const auto bits = static_cast<float>(torn.bits(q));
         std::array<float, 4> aside{}, below{};  // [mm]
