@@ -6,6 +6,7 @@
 #pragma once
 
 #include "sim/active_nodes.h"
+#include "sim/lattice.h"
 #include "sim/params.h"
 #include "sim/step_stats.h"
 #include "sim/world_state.h"
@@ -17,9 +18,11 @@ namespace ember {
 ///     dv/dt = b u/u0 ŷ - γ v,   du/dt = -u/τ,   u = T - ambient
 /// whose solution is used exactly, with u frozen at its mean over the tick in the first. In moving
 /// air: v is relative to the wind, which is frozen at the middle of the tick.
+/// `lattices`: of the sheets, for fire.area_emission.
 /// `active`: the burning nodes of each sheet; nullptr to look for them at every node.
 void advance_fire(const Params& params, const std::vector<LighterParams>& lighters,
                   std::uint64_t seed, double time, double dt, const std::vector<SheetState>& sheets,
+                  const std::vector<const Lattice*>& lattices,
                   const std::vector<const ActiveNodes*>& active, FireState& fire,
                   StepCounters& counters);
 

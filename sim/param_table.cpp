@@ -70,7 +70,7 @@ using P = Params;
 constexpr ParamInfo kRows[] = {
     // ---- paper -------------------------------------------------------------------------------
     real<&P::paper, &PaperParams::grammage>(
-        "paper.grammage", "G", unit::gram_per_square_metre, {5, 5000}, {25, 400}, Logarithmic,
+        "paper.grammage", "G", unit::gram_per_square_metre, {5, 5000}, {18, 400}, Logarithmic,
         Rebuild,
         {"Mass of one square metre. Heavier paper burns slower and crumples less.",
          "Sec. 3, table 2"}),
@@ -81,7 +81,7 @@ constexpr ParamInfo kRows[] = {
          "heat more slowly.",
          "Sec. 3, table 2"}),
     real<&P::paper, &PaperParams::c_s>(
-        "paper.c_s", "c_s", unit::one, {1e-6, 1}, {1e-4, 1e-2}, Logarithmic, Rebuild,
+        "paper.c_s", "c_s", unit::one, {1e-6, 1}, {1e-4, 1}, Logarithmic, Rebuild,
         {"Dimensional stability: the quality of the paper. Higher burns slower and shrinks less.",
          "Sec. 4.1, eqs. 2 and 4"}),
     real<&P::paper, &PaperParams::specific_heat>(
@@ -92,7 +92,7 @@ constexpr ParamInfo kRows[] = {
         Rebuild, {"Thermal conductivity. Higher spreads heat faster along the fibres.", "Table 1"}),
     // ---- shrinkage ---------------------------------------------------------------------------
     real<&P::shrinkage, &ShrinkageParams::factor>(
-        "shrinkage.factor", "factor", unit::one, {0, 1e-6}, {1e-12, 50e-12}, Logarithmic, Live,
+        "shrinkage.factor", "factor", unit::one, {0, 1e-6}, {1e-12, 1e-8}, Logarithmic, Live,
         {"Scales the shrinking of burning fibres. Higher crumples more; 0 not at all.",
          "Sec. 4.3, eq. 4"}),
     real<&P::shrinkage, &ShrinkageParams::reference_step>(
@@ -342,12 +342,12 @@ constexpr ParamInfo kRows[] = {
         "burning.ignition", "", unit::celsius, {-200, 5000}, {300, 768}, Linear, Live,
         {"A node starts to burn at this temperature.", "Sec. 4.2: 1.5 x 512"}),
     real<&P::burning, &BurningParams::burn_rate>(
-        "burning.burn_rate", "", unit::gram_per_second_square_metre, {0, 1e5}, {25, 520},
+        "burning.burn_rate", "", unit::gram_per_second_square_metre, {0, 1e5}, {14, 520},
         Logarithmic, Live,
         {"Mass lost by burning paper. The paper's 0.02 g/s per node is 520 here, and dies out.",
          "Sec. 4.2"}),
     real<&P::burning, &BurningParams::residual_mass>(
-        "burning.residual_mass", "", unit::percent, {1, 99}, {10, 30}, Linear, Live,
+        "burning.residual_mass", "", unit::percent, {1, 99}, {8, 30}, Linear, Live,
         {"What is left of a node when it has burnt out.", "Sec. 4.2"}),
     real<&P::burning, &BurningParams::heat_release>(
         "burning.heat_release", "s", unit::kelvin_per_second, {0, 1e7}, {0, 4e4}, Linear, Live,
@@ -364,8 +364,13 @@ constexpr ParamInfo kRows[] = {
     real<&P::fire, &FireParams::emission>(
         "fire.emission", "", unit::per_second_square_metre, {0, 1e8}, {1e5, 3e6}, Logarithmic, Live,
         {"Fire particles born per second and square metre of burning paper.", "Our choice"}),
+    toggle<&P::fire, &FireParams::area_emission>(
+        "fire.area_emission", Live,
+        {"Particles start anywhere on burning paper and not only at its nodes: the front then has "
+         "the same speed on every lattice that resolves fire.kernel_radius.",
+         "Our choice"}),
     real<&P::fire, &FireParams::heating>(
-        "fire.heating", "A_0", unit::kelvin_per_second, {0, 1e7}, {500, 3e4}, Logarithmic, Live,
+        "fire.heating", "A_0", unit::kelvin_per_second, {0, 1e7}, {300, 3e4}, Logarithmic, Live,
         {"Heating by one particle at its centre, for 80 g/m^2 and c_s 2e-4.", "Our choice"}),
     real<&P::fire, &FireParams::heating_time>(
         "fire.heating_time", "", unit::second, {1e-3, 1e6}, {0.02, 1}, Logarithmic, Live,
@@ -407,6 +412,11 @@ constexpr ParamInfo kRows[] = {
     real<&P::fire, &FireParams::rise_speed>(
         "fire.rise_speed", "", unit::metre_per_second, {0, 50}, {0, 1}, Linear, Live,
         {"Upward speed at birth of particles from burning nodes.", "Our choice"}),
+    real<&P::fire, &FireParams::standoff>(
+        "fire.standoff", "", unit::millimetre, {0, 1000}, {0, 10}, Linear, Live,
+        {"How far above the burning paper that feeds it a flame stands: gas burns only once it "
+         "has mixed with air. Higher lets fire creep down and sideways less than up.",
+         "Our choice"}),
     real<&P::fire, &FireParams::lateral_speed>(
         "fire.lateral_speed", "", unit::metre_per_second, {0, 50}, {0, 0.3}, Linear, Live,
         {"Spread of the velocity at birth, standard deviation per axis.", "Our choice"}),

@@ -136,6 +136,7 @@ struct FireParams {
     double life_min = 0.42;            // [s]
     double life_max = 0.70;            // [s]
     double rise_speed = 0.0;           // [m/s] at birth from a burning node
+    double standoff = 0.0;             // [m] of a flame above the burning node that feeds it
     double lateral_speed = 0.08;       // [m/s] standard deviation per axis
     double buoyancy = 5.0;             // [m/s^2] at birth temperature
     double drag = 2.0;                 // [1/s]
@@ -147,6 +148,7 @@ struct FireParams {
     double stability_exponent = 0.35;  // [1]
     double absorption = 10.0;          // [1/s] how fast a particle loses what it gives
     double emission = 7.4e5;           // [1/(s m^2)] of burning paper
+    bool area_emission = false;        // from anywhere on burning paper, not only its nodes
     double node_strength = 1.0;        // [1] of particles from burning nodes
     double force = 0.001;              // [kg/(m^2 s)]
     double force_limit = 0.1;          // [m/s^2]

@@ -47,10 +47,14 @@ double energy_change(const Tick& t) {
 void run_fire(const Tick& t, StepCounters& counters) {
     const StageScope scope(t.observer, Stage::Fire);
     t.work.active.clear();
-    for (const SheetWorkspace& w : t.work.sheets)
+    t.work.lattices.clear();
+    for (const SheetWorkspace& w : t.work.sheets) {
         t.work.active.push_back(t.params.numerics.skip ? &w.active : nullptr);
+        t.work.lattices.push_back(&w.lattice);
+    }
     advance_fire(t.params, t.work.lighters, static_cast<std::uint64_t>(t.params.numerics.seed),
-                 t.state.time, t.dt, t.state.sheets, t.work.active, t.state.fire, counters);
+                 t.state.time, t.dt, t.state.sheets, t.work.lattices, t.work.active, t.state.fire,
+                 counters);
 }
 
 void run_coupling(const Tick& t, StepCounters& counters) {

@@ -42,6 +42,7 @@ struct Workspace {
     CouplingScratch coupling;
     std::vector<NodeTiles> tiles;            ///< of each sheet, once there is fire
     std::vector<const ActiveNodes*> active;  ///< of each sheet; nullptr to look at every node
+    std::vector<const Lattice*> lattices;    ///< of each sheet
     std::vector<NodeFire> fire;              ///< what the fire gives to each sheet in this tick
     WorldState before;  ///< the state at the start of the tick, for rolling back
 };

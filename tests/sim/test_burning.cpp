@@ -154,7 +154,8 @@ FireState burn_for(double time, double dt) {
         rig.sheet.position.set(4, start + velocity * (i * dt));
         rig.sheet.velocity.set(4, velocity);
         std::vector<SheetState> sheets{rig.sheet};
-        advance_fire(p, {p.lighter}, 1, i * dt, dt, sheets, {nullptr}, fire, rig.counters);
+        advance_fire(p, {p.lighter}, 1, i * dt, dt, sheets, {&rig.lattice}, {nullptr}, fire,
+                     rig.counters);
     }
     return fire;
 }
@@ -184,7 +185,7 @@ TEST(Fire, RatesAndLivesAreWhatTheParametersSay) {
     StepCounters counters;
     const std::vector<SheetState> none;
     for (int i = 0; i < 180; ++i)
-        advance_fire(p, {p.lighter}, 1, i / 60.0, 1 / 60.0, none, {}, fire, counters);
+        advance_fire(p, {p.lighter}, 1, i / 60.0, 1 / 60.0, none, {}, {}, fire, counters);
     // 250/s for 1.5 s, to one particle
     EXPECT_NEAR(static_cast<double>(counters.particles_born), 375.0, 1.0);
     EXPECT_EQ(fire.size(), 0u);  // all dead by 1.5 + 0.7 s
