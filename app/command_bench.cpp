@@ -69,6 +69,20 @@ void add_stress(CLI::App& bench, Task& task) {
     command->callback([options, &task] { task = [options] { return bench_stress(*options); }; });
 }
 
+void add_validate(CLI::App& bench, Task& task) {
+    CLI::App* command =
+        bench.add_subcommand("validate", "flame spread over strips against that of real paper");
+    const auto options = std::make_shared<ValidateOptions>();
+    add_common(*command, options->common);
+    command->add_option("PRESET", options->presets, "presets; default: all of real/");
+    command->add_option("--set", options->sets, "change a parameter of all of them, repeatable")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false)
+        ->take_all();
+    command->add_option("--doc", options->page, "write docs/VALIDATION.md")->type_name("FILE");
+    command->callback([options, &task] { task = [options] { return bench_validate(*options); }; });
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app, Task& task) {
@@ -78,6 +92,7 @@ void add_bench_command(CLI::App& app, Task& task) {
     add_scaling(*bench, task);
     add_stages(*bench, task);
     add_stress(*bench, task);
+    add_validate(*bench, task);
 }
 
 }  // namespace ember

@@ -32,4 +32,14 @@ struct StressOptions {
 /// Parameters far outside what is usual; kRunFailed when any case ends badly.
 int bench_stress(const StressOptions& options);
 
+struct ValidateOptions {
+    BenchOptions common;
+    std::vector<std::string> presets;  ///< empty: all of real/
+    std::vector<std::string> sets;     ///< "key=value" texts for all of them
+    std::string page;                  ///< file of docs/VALIDATION.md; empty: none
+};
+/// Flame spread over strips of paper against what is known of it; kComparisonFailed when a
+/// required line is out of range. Quick: horizontal strips only.
+int bench_validate(const ValidateOptions& options);
+
 }  // namespace ember
