@@ -1,0 +1,59 @@
+// Two grades of paper on short strips: the reduced form of `emberleaf bench validate`.
+#include <gtest/gtest.h>
+
+#include "app/bench/bench_run.h"
+#include "app/bench/validate_table.h"
+
+namespace ember {
+namespace {
+
+constexpr double kCoarse = 0.00625, kFine = 0.003125;  // [m]
+
+StripRun horizontal(const Params& params, double cell) {
+    const StripRun run = run_strip(params, Spread::Horizontal, cell);
+    EXPECT_EQ(run.failure, "");
+    EXPECT_GT(run.front.r_squared, 0.98);
+    return run;
+}
+
+void expect_like_paper(const StripRun& run) {
+    EXPECT_GE(run.spread_rate, kLeastSpreadRate);
+    EXPECT_LE(run.spread_rate, kMostSpreadRate);
+}
+
+// Office paper that stays flat, so that nothing but fire and heat is measured.
+Params flat_office() {
+    Params params = bench_params("real/office");
+    params.world.gravity = 0;
+    params.shrinkage.factor = 0;
+    params.springs.stiffness_scale = 0.01;
+    params.sheet.imperfection = 0;
+    return params;
+}
+
+TEST(RealPaper, FrontsMoveAtASpeedInverseToTheGrammage) {
+    expect_like_paper(horizontal(bench_params("real/office"), kCoarse));
+    expect_like_paper(horizontal(bench_params("real/kraft"), kCoarse));
+}
+
+TEST(RealPaper, TheSpeedDependsNeitherOnTheLatticeNorOnTheTick) {
+    const Params usual = flat_office();
+    Params half = usual;
+    half.numerics.tick_rate *= 2;
+    const double coarse = horizontal(usual, kCoarse).front.speed;
+    EXPECT_NEAR(horizontal(usual, kFine).front.speed, coarse, 0.05 * coarse);
+    EXPECT_NEAR(horizontal(half, kCoarse).front.speed, coarse, 0.01 * coarse);
+}
+
+TEST(RealPaper, FireClimbsFasterThanItCreepsAndCreepsFasterThanItDescends) {
+    const Params params = flat_office();
+    const double up = run_strip(params, Spread::Up, kCoarse).front.speed;
+    const double flat = run_strip(params, Spread::Horizontal, kCoarse).front.speed;
+    const double down = run_strip(params, Spread::Down, kCoarse).front.speed;
+    EXPECT_GT(up, 2 * flat);
+    EXPECT_GT(flat, 1.5 * down);
+    EXPECT_GT(down, 0);
+}
+
+}  // namespace
+}  // namespace ember
