@@ -90,7 +90,7 @@ TEST(Wind, FireIsCarriedAlong) {
     fire.id = {7};
     StepCounters counters;
     for (int i = 0; i < 60; ++i)
-        advance_fire(p, {}, 1, i / 60.0, 1 / 60.0, {}, {}, fire, counters);
+        advance_fire(p, {}, 1, i / 60.0, 1 / 60.0, {}, {}, {}, fire, counters);
     EXPECT_NEAR(fire.velocity.x[0], 1.5 * (1 - std::exp(-2.0)), 1e-12);
     EXPECT_NEAR(fire.position.x[0], 1.5 * (1 - 0.5 * (1 - std::exp(-2.0))), 1e-12);
     EXPECT_EQ(fire.position.z[0], 0.0);
