@@ -72,7 +72,7 @@ Json energy_ledger(const EnergyLedger& e) {
             {"loss_drag", e.loss_drag},
             {"loss_sleep", e.loss_sleep},
             {"change_scheme", e.change_scheme},
-            {"change_ground", e.change_ground},
+            {"work_contact", e.work_contact},
             {"change_mass", e.change_mass},
             {"change_rest_length", e.change_rest_length},
             {"change_topology", e.change_topology},

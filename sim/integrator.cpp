@@ -62,7 +62,7 @@ void run(const Mechanics& m, const StepControl& control, IntegratorScratch& s, T
     }
 }
 
-// Of a force [N] that does not change during the tick.
+// Of a force [N] that does not change meanwhile; an empty one does no work.
 double work_of(const Vector3Array& force, const SheetState& start, const Motion& end) {
     const std::size_t n = start.position.size();
     double work = 0.0;
@@ -84,6 +84,7 @@ TickWork integrate(const Mechanics& m, SheetState& sheet, const StepControl& con
     run(m, control, scratch, work, counters);
     work.fire = work_of(m.loads.fire, sheet, scratch.present);
     work.wind = work_of(m.loads.wind, sheet, scratch.present);
+    work.contact = work_of(m.loads.contact, sheet, scratch.present);
     scratch.present.write(sheet);
     const auto springs =
         static_cast<std::int64_t>(m.network.weight.size() + m.network.extra.size());

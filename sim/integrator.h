@@ -22,7 +22,7 @@ struct StepControl {
 
 /// Where mechanical energy went in a tick [J].
 struct TickWork {
-    double fire = 0, wind = 0, damping = 0, drag = 0;
+    double fire = 0, wind = 0, contact = 0, damping = 0, drag = 0;
     /// What the symplectic integrators hold in the energy that they conserve instead of the true
     /// one: exact for linear forces, bounded, see schemes.h.
     double scheme = 0;

@@ -17,12 +17,13 @@ namespace ember {
 /// What acts on a sheet's nodes during a tick besides springs; all arrays N.
 struct NodeLoads {
     std::vector<double> inverse_mass;  ///< [1/kg]; 0 for held nodes
-    Vector3Array force;                ///< [N] constant during the tick: gravity, fire, wind
-    Vector3Array fire;                 ///< [N] the part of it that is fire's
-    Vector3Array wind;                 ///< [N] the part of it that is the wind's; empty: none
-    std::vector<double> drag;          ///< [kg/s] across the sheet
-    Vector3Array normal;               ///< [1] unit normal at the start of the tick
-    double drag_tangential = 0;        ///< [1] share of drag along the sheet
+    Vector3Array force;        ///< [N] constant while it is moved: gravity, fire, wind, contact
+    Vector3Array fire;         ///< [N] the part of it that is fire's
+    Vector3Array wind;         ///< [N] the part of it that is the wind's; empty: none
+    Vector3Array contact;      ///< [N] the part of it that is contact's, see contact.h; empty: none
+    std::vector<double> drag;  ///< [kg/s] across the sheet
+    Vector3Array normal;       ///< [1] unit normal at the start of the tick
+    double drag_tangential = 0;  ///< [1] share of drag along the sheet
     bool has_drag = false;
 };
 

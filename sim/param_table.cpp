@@ -303,7 +303,7 @@ constexpr ParamInfo kRows[] = {
         "world.air_drag_tangential", "", unit::one, {0, 1}, {0.05, 0.3}, Linear, Live,
         {"Share of the air drag that acts along the sheet.", "Our choice"}),
     toggle<&P::world, &WorldParams::ground>(
-        "world.ground", Live, {"Whether pieces come to rest on the ground.", "Our choice"}),
+        "world.ground", Live, {"Whether paper comes to rest on the ground.", "Our choice"}),
     // ---- wind --------------------------------------------------------------------------------
     real<&P::wind, &WindParams::x>(
         "wind.x", "", unit::metre_per_second, {-100, 100}, {-2, 2}, Linear, Live,
@@ -322,6 +322,28 @@ constexpr ParamInfo kRows[] = {
     real<&P::wind, &WindParams::gust_period>("wind.gust_period", "", unit::second, {0.01, 3600},
                                              {0.5, 10}, Logarithmic, Live,
                                              {"From gust to gust.", "Our choice"}),
+    // ---- contact -----------------------------------------------------------------------------
+    toggle<&P::contact, &ContactParams::sheets>("contact.sheets", Live,
+                                                {"Whether sheets touch each other.", "Our choice"}),
+    toggle<&P::contact, &ContactParams::self>(
+        "contact.self", Live,
+        {"Whether a sheet touches itself where it folds, and its pieces each other.",
+         "Our choice"}),
+    real<&P::contact, &ContactParams::thickness>(
+        "contact.thickness", "", unit::millimetre, {0.01, 20}, {0.5, 3}, Logarithmic, Live,
+        {"Paper keeps this far from paper, and half of it from the ground; its caliper, where that "
+         "is more. Folds of one sheet keep no farther apart than its nodes are.",
+         "Our choice"}),
+    real<&P::contact, &ContactParams::friction>("contact.friction", "mu", unit::one, {0, 10},
+                                                {0, 1}, Linear, Live,
+                                                {"Friction of paper on paper.", "Our choice"}),
+    real<&P::contact, &ContactParams::ground_friction>(
+        "contact.ground_friction", "mu", unit::one, {0, 10}, {0, 1}, Linear, Live,
+        {"Friction of paper on the ground.", "Our choice"}),
+    real<&P::contact, &ContactParams::interval>(
+        "contact.interval", "", unit::second, {1e-5, 1}, {1e-3, 8e-3}, Logarithmic, Live,
+        {"Contact forces are found anew at least this often while anything is near.",
+         "Our choice"}),
     // ---- heat --------------------------------------------------------------------------------
     real<&P::heat, &HeatParams::ambient>("heat.ambient", "", unit::celsius, {-200, 500}, {0, 40},
                                          Linear, Rebuild,
@@ -532,6 +554,7 @@ static_assert(row_count(kRows, "springs") == field_count<SpringParams>, "every f
 static_assert(row_count(kRows, "plate") == field_count<PlateParams>, "every field needs a row");
 static_assert(row_count(kRows, "world") == field_count<WorldParams>, "every field needs a row");
 static_assert(row_count(kRows, "wind") == field_count<WindParams>, "every field needs a row");
+static_assert(row_count(kRows, "contact") == field_count<ContactParams>, "every field needs a row");
 static_assert(row_count(kRows, "heat") == field_count<HeatParams>, "every field needs a row");
 static_assert(row_count(kRows, "burning") == field_count<BurningParams>, "every field needs a row");
 static_assert(row_count(kRows, "fire") == field_count<FireParams>, "every field needs a row");
@@ -542,7 +565,7 @@ static_assert(row_count(kRows, "fracture") == field_count<FractureParams>,
               "every field needs a row");
 static_assert(row_count(kRows, "numerics") == field_count<NumericsParams>,
               "every field needs a row");
-static_assert(field_count<Params> == 13 + 3, "every group needs rows and an assertion above");
+static_assert(field_count<Params> == 13 + 4, "every group needs rows and an assertion above");
 
 }  // namespace
 

@@ -102,7 +102,17 @@ struct WorldParams {
     double held_gravity = 0.12;         // [1] share of gravity that pieces still held feel
     double air_drag = 0.3;              // [kg/(m^2 s)] across the sheet
     double air_drag_tangential = 0.15;  // [1] share of it along the sheet
-    bool ground = true;                 // pieces come to rest at y = 0
+    bool ground = true;                 // paper rests on it at y = 0
+};
+
+/// What keeps paper from passing through the ground and through paper.
+struct ContactParams {
+    bool sheets = true;            // between sheets
+    bool self = false;             // between parts of one sheet
+    double thickness = 0.001;      // [m] that sheets keep apart, if the caliper is not more
+    double friction = 0.4;         // [1] paper on paper
+    double ground_friction = 0.6;  // [1] paper on the ground
+    double interval = 0.0021;      // [s] at most, during which contact forces do not change
 };
 
 /// The air's own motion.
@@ -233,6 +243,7 @@ struct Params {
     PlateParams plate;
     WorldParams world;
     WindParams wind;
+    ContactParams contact;
     HeatParams heat;
     BurningParams burning;
     FireParams fire;

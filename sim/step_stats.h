@@ -15,8 +15,8 @@ namespace ember {
 enum class Stage : std::uint8_t {
     Fire,
     Coupling,
+    Contact,
     Springs,
-    Ground,
     Heat,
     Burning,
     Shrinkage,
@@ -25,7 +25,7 @@ enum class Stage : std::uint8_t {
 };
 inline constexpr std::size_t kStageCount = 9;
 inline constexpr std::array<std::string_view, kStageCount> kStageNames = {
-    "fire", "coupling", "springs", "ground", "heat", "burning", "shrinkage", "fracture", "check"};
+    "fire", "coupling", "contact", "springs", "heat", "burning", "shrinkage", "fracture", "check"};
 
 /// Told when stages begin and end; the simulation itself never looks at a clock.
 class StageObserver {
@@ -33,6 +33,23 @@ class StageObserver {
     virtual ~StageObserver() = default;
     virtual void begin(Stage stage) = 0;
     virtual void end(Stage stage) = 0;
+};
+
+/// Tells the observer, if there is one, when a stage begins and ends.
+class StageScope {
+  public:
+    StageScope(StageObserver* observer, Stage stage) : observer_(observer), stage_(stage) {
+        if (observer_ != nullptr) observer_->begin(stage_);
+    }
+    ~StageScope() {
+        if (observer_ != nullptr) observer_->end(stage_);
+    }
+    StageScope(const StageScope&) = delete;
+    StageScope& operator=(const StageScope&) = delete;
+
+  private:
+    StageObserver* observer_;
+    Stage stage_;
 };
 
 /// Work done in one tick; a stage with nothing to do counts zero.
@@ -49,9 +66,12 @@ struct StepCounters {
     std::int64_t nodes_ignited = 0, nodes_burning = 0, nodes_burnt_out = 0;
     std::int64_t burning_visited = 0;                          ///< nodes
     std::int64_t shrinkage_visited = 0, fracture_visited = 0;  ///< spring slots
-    std::int64_t ground_visited = 0;                           ///< nodes
+    std::int64_t contact_visited = 0;  ///< nodes looked at beside the ground or a quad
+    std::int64_t contact_pairs = 0;    ///< nodes and quads that may touch in the tick
+    std::int64_t contacts = 0;         ///< solved for, in all intervals
+    std::int64_t contact_sweeps = 0;
     std::int64_t springs_shrunk = 0;
-    std::int64_t cuts = 0, nodes_added = 0, ground_contacts = 0;
+    std::int64_t cuts = 0, nodes_added = 0;
 };
 
 /// Calls visit(name, count) for every counter.
@@ -67,11 +87,12 @@ void for_each_counter(Counters& c, Visitor&& visit) {
     visit("heat_guarded", c.heat_guarded);
     visit("nodes_ignited", c.nodes_ignited), visit("nodes_burning", c.nodes_burning);
     visit("nodes_burnt_out", c.nodes_burnt_out), visit("springs_shrunk", c.springs_shrunk);
-    visit("burning_visited", c.burning_visited), visit("ground_visited", c.ground_visited);
+    visit("burning_visited", c.burning_visited), visit("contact_visited", c.contact_visited);
     visit("shrinkage_visited", c.shrinkage_visited);
     visit("fracture_visited", c.fracture_visited);
     visit("cuts", c.cuts), visit("nodes_added", c.nodes_added);
-    visit("ground_contacts", c.ground_contacts);
+    visit("contact_pairs", c.contact_pairs), visit("contacts", c.contacts);
+    visit("contact_sweeps", c.contact_sweeps);
 }
 
 enum class StepStatus : std::uint8_t { Ok, Diverged };

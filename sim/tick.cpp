@@ -1,40 +1,18 @@
 #include "sim/tick.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/burning.h"
 #include "sim/check.h"
 #include "sim/fire.h"
 #include "sim/fracture.h"
-#include "sim/ground.h"
 #include "sim/lighter.h"
-#include "sim/loads.h"
+#include "sim/movement.h"
 #include "sim/shrinkage.h"
 #include "sim/sleep.h"
-#include "sim/stability.h"
 
 namespace ember {
 namespace {
-
-constexpr double kMostSubsteps = 1e6;
-
-// Tells the observer when a stage begins and ends.
-class StageScope {
-  public:
-    StageScope(StageObserver* observer, Stage stage) : observer_(observer), stage_(stage) {
-        if (observer_ != nullptr) observer_->begin(stage_);
-    }
-    ~StageScope() {
-        if (observer_ != nullptr) observer_->end(stage_);
-    }
-    StageScope(const StageScope&) = delete;
-    StageScope& operator=(const StageScope&) = delete;
-
-  private:
-    StageObserver* observer_;
-    Stage stage_;
-};
 
 double end_time(const Tick& t) {
     return t.state.time + t.dt;
@@ -69,70 +47,10 @@ void run_coupling(const Tick& t, StepCounters& counters) {
                 t.work.coupling, t.work.fire, counters);
 }
 
-// How to divide the tick for one sheet; substeps is 0 when no bounded number is stable.
-StepControl plan_steps(const Tick& t, const SheetState& sheet, SheetWorkspace& w) {
-    const NumericsParams& n = t.params.numerics;
-    const FastestMotion fastest =
-        find_fastest_motion(w.lattice, sheet, w.network, w.plate.stiff() ? &w.plate : nullptr,
-                            w.loads, t.pool, w.stability);
-    StepControl control{.integrator = choose_integrator(n, fastest, t.dt), .dt = t.dt};
-    const double step = n.safety * stable_step(control.integrator, fastest);
-    double needed = std::max(1.0 * n.substeps_min, std::ceil(t.dt / step));
-    if (has_error_control(control.integrator)) {
-        needed = n.substeps_min;
-        control.tolerance = n.tolerance / t.refine;
-        control.first_step = step;
-    }
-    needed *= t.refine;
-    control.substeps = needed <= kMostSubsteps ? static_cast<std::int64_t>(needed) : 0;
-    return control;
-}
-
-// Section 4.1. Returns false when the sheet cannot be moved.
-bool run_springs(const Tick& t, StepReport& report) {
-    const StageScope scope(t.observer, Stage::Springs);
-    for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
-        SheetState& sheet = t.state.sheets[s];
-        SheetWorkspace& w = t.work.sheets[s];
-        report.sheet = static_cast<Index>(s);
-        gather_loads(t.params, sheet, t.work.fire[s], w.loads, t.state.time + 0.5 * t.dt);
-        t.state.energy.loss_sleep +=
-            find_awake_rows(w.lattice, t.params.numerics, w.loads, sheet, w.awake, report.counters);
-        if (w.awake.spans.empty()) continue;
-        const StepControl control = plan_steps(t, sheet, w);
-        report.integrator = control.integrator;
-        if (control.substeps == 0) {
-            report.reason = "a stable sub-step would be shorter than a millionth of the tick";
-            return false;
-        }
-        w.forces.prepare(w.lattice, sheet, w.network, t.pool);
-        const TickWork work =
-            integrate({w.lattice, sheet, w.network, w.loads, w.forces, w.old_rows, t.pool,
-                       spring_kernel(t.params.numerics.arithmetic), w.awake.spans,
-                       w.plate.stiff() ? &w.plate : nullptr, &w.plate_forces},
-                      sheet, control, w.integration, report.counters);
-        if (work.failure != nullptr) {
-            report.reason = work.failure;
-            return false;
-        }
-        t.state.energy.work_fire += work.fire;
-        t.state.energy.work_wind += work.wind;
-        t.state.energy.change_scheme += work.scheme;
-        t.state.energy.loss_damping += work.damping;
-        t.state.energy.loss_drag += work.drag;
-    }
-    report.sheet = kNone;
-    (void)energy_change(t);  // accounted for by the work above
+bool run_motion(const Tick& t, StepReport& report) {
+    if (!move_sheets(t, report)) return false;
+    (void)energy_change(t);  // accounted for by the work done meanwhile
     return true;
-}
-
-void run_ground(const Tick& t, StepCounters& counters) {
-    const StageScope scope(t.observer, Stage::Ground);
-    if (!t.params.world.ground) return;
-    std::int64_t touched = 0;
-    for (SheetState& sheet : t.state.sheets)
-        touched += rest_on_ground(sheet, t.dt, t.params.numerics.skip, counters);
-    if (touched > 0) t.state.energy.change_ground += energy_change(t);
 }
 
 void run_rest(const Tick& t) {
@@ -218,14 +136,13 @@ StepReport run_tick(const Tick& t) {
     report.time = t.state.time;
     StepCounters& counters = report.counters;
 
-    run_fire(t, counters);          // Sec. 4.2: particles are born, rise and die
-    run_coupling(t, counters);      // Sec. 4.2: and give nodes heat and a push
-    if (!run_springs(t, report)) {  // Sec. 4.1: the lattice moves
+    run_fire(t, counters);         // Sec. 4.2: particles are born, rise and die
+    run_coupling(t, counters);     // Sec. 4.2: and give nodes heat and a push
+    if (!run_motion(t, report)) {  // Sec. 4.1: the lattice moves, and touches
         report.status = StepStatus::Diverged;
         report.stage = Stage::Springs;
         return report;
     }
-    run_ground(t, counters);     // pieces come to rest
     run_rest(t);                 // what rests falls asleep
     run_heat(t, report);         // Sec. 4.2, eqs. 2 and 3: heat spreads
     run_burning(t, counters);    // Sec. 4.2: unburnt, burning, burnt out

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/active_nodes.h"
+#include "sim/contact.h"
 #include "sim/energy.h"
 #include "sim/fire_coupling.h"
 #include "sim/heat.h"
@@ -25,7 +26,9 @@ struct SheetWorkspace {
     Plate plate;            ///< likewise; empty without rigidity
     PlateForces plate_forces;
     NodeLoads loads;
-    AwakeRows awake;  ///< rows that are moved in this tick
+    AwakeRows awake;                     ///< rows that are moved in this tick
+    StepControl control;                 ///< how the tick is divided
+    std::int64_t contact_intervals = 1;  ///< that the sheet needs when it touches something
     SpringForces forces;
     OldRows old_rows;
     StabilityScratch stability;
@@ -44,6 +47,7 @@ struct Workspace {
     std::vector<const ActiveNodes*> active;  ///< of each sheet; nullptr to look at every node
     std::vector<const Lattice*> lattices;    ///< of each sheet
     std::vector<NodeFire> fire;              ///< what the fire gives to each sheet in this tick
+    ContactScratch contact;
     WorldState before;  ///< the state at the start of the tick, for rolling back
 };
 

@@ -86,7 +86,7 @@ struct EnergyLedger {
     double largest = 0;                                  ///< term of the ledger so far
     double loss_damping = 0, loss_drag = 0;              ///< in springs, to the air
     double loss_sleep = 0;                               ///< of rows that fell asleep
-    double change_ground = 0;                            ///< pieces coming to rest
+    double work_contact = 0;                             ///< by contact; < 0: taken away
     double change_mass = 0;                              ///< mass burnt off and springs weakened
     double change_rest_length = 0;                       ///< shrinking
     double change_topology = 0;                          ///< cuts
@@ -172,7 +172,7 @@ void for_each_field(State& s, Visitor&& visit) {
     visit("energy.scheme_settled", e.scheme_settled), visit("energy.largest", e.largest),
         visit("energy.loss_damping", e.loss_damping);
     visit("energy.loss_drag", e.loss_drag), visit("energy.loss_sleep", e.loss_sleep),
-        visit("energy.change_ground", e.change_ground);
+        visit("energy.work_contact", e.work_contact);
     visit("energy.change_mass", e.change_mass);
     visit("energy.change_rest_length", e.change_rest_length);
     visit("energy.change_topology", e.change_topology), visit("energy.change_edit", e.change_edit);

@@ -82,6 +82,29 @@ constexpr SetCorner kSetCorners[] = {
      "fracture.threshold=0 fracture.relief_time=0 fracture.middle_burnt=false burning.ignition=-50 "
      "burning.burn_rate=1e4"},
     {"below_the_ground", "sheet.elevation=-10000"},
+    {"dropped_stack",
+     "sheet.elevation=60 sheet.held=none sheet.count=4 sheet.gap=10 "
+     "sheet.pose=horizontal"},
+    {"dropped_crumpling_stack",
+     "sheet.elevation=40 sheet.held=none sheet.count=3 sheet.gap=5 sheet.pose=horizontal "
+     "contact.self=true world.gravity=50 shrinkage.factor=1e-9 burning.ignition=21"},
+    {"sheets_in_touch", "sheet.count=4 sheet.gap=1 contact.self=true"},
+    {"sheets_closer_than_they_keep", "sheet.count=3 sheet.gap=0.1 contact.thickness=5"},
+    {"thickest_contact",
+     "sheet.count=3 sheet.gap=2 contact.thickness=20 contact.self=true "
+     "sheet.elevation=10"},
+    {"thinnest_contact",
+     "sheet.count=3 sheet.gap=2 contact.thickness=0.01 sheet.elevation=20 "
+     "sheet.held=none sheet.pose=horizontal paper.grammage=5"},
+    {"stickiest_contact",
+     "sheet.count=2 sheet.gap=1 contact.friction=10 sheet.held=none "
+     "contact.ground_friction=10 sheet.elevation=30"},
+    {"self_folding_tube",
+     "sheet.shape=cylinder contact.self=true sheet.held=none "
+     "sheet.elevation=20 world.gravity=100"},
+    {"standing_on_edge", "sheet.elevation=91 sheet.held=none contact.self=true"},
+    {"longest_contact_interval", "contact.interval=1 sheet.elevation=20 sheet.held=none"},
+    {"shortest_contact_interval", "contact.interval=1e-5 sheet.elevation=20 sheet.held=none"},
     {"sleeping_on_the_ground", "sheet.elevation=1 sheet.held=none numerics.sleep_speed=1"}};
 
 std::vector<std::string> words_of(const std::string& text) {

@@ -27,7 +27,7 @@ constexpr CounterColumn kCounters[] = {{"particles moved", &StepCounters::partic
                                        {"nodes burning", &StepCounters::nodes_burning},
                                        {"springs shrunk", &StepCounters::springs_shrunk},
                                        {"cuts", &StepCounters::cuts},
-                                       {"ground contacts", &StepCounters::ground_contacts}};
+                                       {"contacts", &StepCounters::contacts}};
 
 // One simulated second: means per tick.
 struct SecondStats {

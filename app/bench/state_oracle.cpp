@@ -111,14 +111,14 @@ std::string StateOracle::bad_energy(const WorldState& state) {
     const double put_in = at_first_ + fallen_ + std::abs(e.work_fire) + std::abs(e.work_wind) +
                           std::abs(e.change_mass) + std::abs(e.change_rest_length) +
                           std::abs(e.change_topology) + std::abs(e.change_edit) +
-                          std::abs(e.change_ground);
+                          std::abs(e.work_contact);
     if (!(e.change_scheme <= put_in + kNoEnergy)) {
         return "the integrator holds " + short_text(e.change_scheme) + " J of energy, but only " +
                short_text(put_in) + " J were put in";
     }
     const double now = e.kinetic + e.elastic + e.gravitational;
     const double accounted = e.initial + e.work_fire + e.work_wind + e.change_scheme +
-                             e.change_ground + e.change_mass + e.change_rest_length +
+                             e.work_contact + e.change_mass + e.change_rest_length +
                              e.change_topology + e.change_edit - e.loss_damping - e.loss_drag -
                              e.loss_sleep;
     // sums of large terms that cancel are only as exact as the largest of them

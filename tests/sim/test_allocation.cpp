@@ -185,6 +185,35 @@ TEST(Allocation, NorDoesAPlateNorTheImplicitIntegrator) {
     }
 }
 
+TEST(Allocation, NorDoesPaperThatTouchesTheGroundAndPaperOnceItHasBeenInTouch) {
+    Params p = small_sheet();
+    p.lighter.on = false;
+    p.sheet.rows = 6, p.sheet.columns = 8;
+    p.sheet.width = 0.06, p.sheet.height = 0.08;
+    p.sheet.held = HeldEdge::None;
+    p.sheet.pose = SheetPose::Horizontal;
+    p.sheet.elevation = 0.03;
+    p.sheet.count = 3;
+    p.sheet.gap = 0.01;
+    p.contact.self = true;
+    World world = make_world(p);
+    Most most;
+    std::int64_t grown = 0, steady = 0;
+    int steady_ticks = 0;
+    for (int i = 0; i < 90; ++i) {
+        const std::int64_t before = allocations;
+        const StepReport report = world.step();
+        const std::int64_t made = allocations - before;
+        EXPECT_TRUE(report.ok()) << report.reason;
+        const bool larger = most.exceeded_by(report.counters, 0);
+        (larger ? grown : steady) += made;
+        steady_ticks += !larger && report.counters.contacts > 0 ? 1 : 0;
+    }
+    EXPECT_GT(grown, 0);
+    EXPECT_EQ(steady, 0);
+    EXPECT_GT(steady_ticks, 30);
+}
+
 TEST(Allocation, ALoopAllocatesNothingWhateverItsBodyRefersTo) {
     ThreadPool pool(3);
     std::array<std::int64_t, 32> added{};  // too much to be kept in a std::function

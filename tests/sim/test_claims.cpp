@@ -76,6 +76,24 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     return ab / std::sqrt(aa * bb);
 }
 
+// Nodes put back onto the ground used to strain what had fallen, so that it broke up: 1264 cuts.
+TEST(Corner, WhatHasFallenLiesOnTheGroundAndDoesNotTurnToPowder) {
+    const Burn burn(Params{}, 20);
+    ASSERT_TRUE(burn.last.ok()) << burn.last.reason;
+    const SheetState& sheet = burn.world.state().sheets[0];
+    double lowest = 1;
+    int fallen = 0;
+    for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
+        lowest = std::min(lowest, sheet.position.y[n]);
+        fallen += sheet.position.y[n] < 0.02 ? 1 : 0;
+    }
+    std::printf("cuts at 20 s: %d, nodes on the ground: %d, lowest %.3f mm\n",
+                static_cast<int>(burn.world.state().totals.cuts), fallen, 1e3 * lowest);
+    EXPECT_GT(fallen, 500);
+    EXPECT_GT(lowest, 0.0);
+    EXPECT_LT(burn.world.state().totals.cuts, 900);
+}
+
 TEST(Corner, IgnitesBurnsAndCracksWithinTenSeconds) {
     const Burn burn(Params{}, 10);
     ASSERT_TRUE(burn.last.ok()) << burn.last.reason;
