@@ -97,7 +97,7 @@ TEST(Dependencies, EveryLibraryIsKnownInOnePlace) {
 TEST(Sizes, FilesStayShort) {
     for (const SourceFile& file : code_below({"sim", "render", "ui", "app", "textures"})) {
         // the table is one row after another: splitting it would only hide rows
-        const std::size_t most = file.name == "sim/param_table.cpp" ? 600u : 300u;
+        const std::size_t most = file.name == "sim/param_table.cpp" ? 800u : 300u;
         EXPECT_LE(file.lines.size(), most) << file.name;
     }
     for (const SourceFile& file : code_below({"tests"}))
