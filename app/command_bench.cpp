@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "app/bench/benches.h"
+#include "app/bench/render_bench.h"
 #include "app/commands.h"
 
 namespace ember {
@@ -52,6 +53,18 @@ void add_stages(CLI::App& bench, Task& task) {
     });
 }
 
+void add_render(CLI::App& bench, Task& task) {
+    CLI::App* command = bench.add_subcommand("render", "time per pass of a picture in mid-burn");
+    const auto options = std::make_shared<RenderBenchOptions>();
+    add_common(*command, options->common);
+    command->add_option("PRESET", options->preset, "preset")->capture_default_str();
+    command->add_option("--gl", options->gl, "how to draw without a window: auto, osmesa or egl")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, GlBackend>{
+            {"auto", GlBackend::Auto}, {"osmesa", GlBackend::OsMesa}, {"egl", GlBackend::Egl}}))
+        ->type_name("NAME");
+    command->callback([options, &task] { task = [options] { return bench_render(*options); }; });
+}
+
 void add_stress(CLI::App& bench, Task& task) {
     CLI::App* command = bench.add_subcommand("stress", "parameters far outside what is usual");
     const auto options = std::make_shared<StressOptions>();
@@ -91,6 +104,7 @@ void add_bench_command(CLI::App& app, Task& task) {
     add_work_precision(*bench, task);
     add_scaling(*bench, task);
     add_stages(*bench, task);
+    add_render(*bench, task);
     add_stress(*bench, task);
     add_validate(*bench, task);
 }

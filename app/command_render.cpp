@@ -1,5 +1,6 @@
 // emberleaf render: pictures and films without a window.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -15,6 +16,7 @@
 #include "app/run_options.h"
 #include "app/stats_json.h"
 #include "app/version.h"
+#include "render/camera.h"
 #include "render/offscreen_context.h"
 #include "render/renderer.h"
 #include "sim/param_table.h"
@@ -26,9 +28,9 @@ namespace {
 struct RenderOptions {
     RunOptions run;
     std::vector<std::string> outputs;
-    std::string frames, at, fps, size = "960x540", camera, view, stats;
+    std::string frames, at, fps, size = "960x540", camera, view, stats, shaders;
     double turntable = 0;  // [deg] over the whole shot
-    bool no_flames = false;
+    bool no_flames = false, transparent = false;
     int msaa = 4;
     GlBackend gl = GlBackend::Auto;
 };
@@ -44,13 +46,14 @@ std::vector<Assignment> assignments(const RenderOptions& options) {
     if (!options.fps.empty()) list.push_back({"--fps", "shot.fps=" + options.fps});
     if (!options.view.empty()) list.push_back({"--view", "view.mode=" + options.view});
     if (options.no_flames) list.push_back({"--no-flames", "view.flames=false"});
+    if (options.transparent) list.push_back({"--transparent", "view.transparent=true"});
     if (options.camera.empty()) return list;
+    if (find_camera_view(options.camera) != nullptr) return list;  // applied to the preset's camera
     const std::vector<std::string> parts = CLI::detail::split(options.camera, ',');
     if (parts.size() != 3) {
-        throw InputError(
-            "--camera: error: expected AZIMUTH,ELEVATION,DISTANCE in degrees, "
-            "degrees and metres, got \"" +
-            options.camera + '"');
+        throw InputError("--camera: error: expected " + camera_view_names() +
+                         " or AZIMUTH,ELEVATION,DISTANCE in degrees, degrees and metres, got \"" +
+                         options.camera + '"');
     }
     list.push_back({"--camera", "camera.azimuth=" + parts[0]});
     list.push_back({"--camera", "camera.elevation=" + parts[1]});
@@ -103,6 +106,7 @@ class Shot {
               world, options.stats.empty() ? nullptr : stats_.observer(),
               [this](const StepReport& report) { note(report); },
               needs_springs(preset.render.view.mode)) {
+        if (!options.shaders.empty()) renderer_.reload(options.shaders);
         const PictureFormat format{size_.width, size_.height, preset.render.shot.fps, several,
                                    metadata(preset, renderer_)};
         for (const std::string& output : options.outputs)
@@ -137,9 +141,16 @@ class Shot {
         RenderParams look = preset_.render;
         const double turn = unit::degree.to_si(options_.turntable);
         look.camera.azimuth += turn * picture.time / std::max(look.shot.duration, 1e-9);
-        const Picture drawn{
-            renderer_.draw_image({&frame.view, frame.springs}, look, size_.width, size_.height),
-            picture.number, picture.time};
+        const Frame shown{&frame.view, frame.springs};
+        const auto wanted = [&](bool layers) {
+            return std::any_of(sinks_.begin(), sinks_.end(),
+                               [&](const auto& sink) { return sink->wants_layers() == layers; });
+        };
+        Picture drawn{{}, {}, picture.number, picture.time};
+        if (wanted(false))
+            drawn.image = renderer_.draw_image(shown, look, size_.width, size_.height);
+        if (wanted(true))
+            drawn.layers = renderer_.draw_layers(shown, look, size_.width, size_.height);
         for (const auto& sink : sinks_)
             sink->put(drawn);
         return true;
@@ -173,7 +184,9 @@ class Shot {
 };
 
 int run_render(const RenderOptions& options) {
-    const LoadedPreset preset = load_run(options.run, assignments(options));
+    LoadedPreset preset = load_run(options.run, assignments(options));
+    if (const CameraView* view = find_camera_view(options.camera))
+        look_from(preset.render.camera, *view);
     const std::vector<PlannedPicture> pictures = plan(options, preset.render.shot);
     static_cast<void>(parse_size(options.size));
     for (const std::string& output : options.outputs)
@@ -187,8 +200,10 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
     command.add_option("--size", options.size, "size of the pictures")
         ->type_name("WIDTHxHEIGHT")
         ->capture_default_str();
-    command.add_option("--camera", options.camera, "where to look from [deg, deg, m]")
-        ->type_name("AZIMUTH,ELEVATION,DISTANCE");
+    command
+        .add_option("--camera", options.camera,
+                    "where to look from: " + camera_view_names() + ", or [deg, deg, m]")
+        ->type_name("NAME|AZIMUTH,ELEVATION,DISTANCE");
     command.add_option("--turntable", options.turntable, "turn the camera by so much in the shot")
         ->type_name("DEG");
     command
@@ -196,10 +211,17 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
                     "beauty, lattice, temperature, mass, state, stress or "
                     "stiffness")
         ->type_name("MODE");
+    command.add_flag("--transparent", options.transparent,
+                     "no backdrop and no ground, but alpha, for compositing");
     command.add_flag("--no-flames", options.no_flames, "draw the sheet only");
     command.add_option("--msaa", options.msaa, "samples per pixel")
         ->check(CLI::IsMember({1, 2, 4, 8}))
         ->capture_default_str();
+    command
+        .add_option("--shaders", options.shaders,
+                    "take shaders and textures from here rather than from the program")
+        ->check(CLI::ExistingDirectory)
+        ->type_name("DIR");
     command.add_option("--gl", options.gl, "how to draw without a window: auto, osmesa or egl")
         ->transform(CLI::CheckedTransformer(std::map<std::string, GlBackend>{
             {"auto", GlBackend::Auto}, {"osmesa", GlBackend::OsMesa}, {"egl", GlBackend::Egl}}))
@@ -214,7 +236,7 @@ void add_render_command(CLI::App& app, Task& task) {
     add_run_options(*command, options->run);
     command
         ->add_option("-o,--output", options->outputs,
-                     "frame_####.png or shot.mp4; may be given several times")
+                     "frame_####.png or .exr, or shot.mp4; may be given several times")
         ->required()
         ->allow_extra_args(false)
         ->take_all()

@@ -7,13 +7,15 @@
 #include "app/file_pattern.h"
 #include "app/preset_io/parameter_value.h"
 #include "app/video_encoder.h"
+#include "render/exr_file.h"
 
 namespace ember {
 namespace {
 
-class PngSink final : public PictureSink {
+// Numbered files.
+class FileSink : public PictureSink {
   public:
-    PngSink(const std::string& output, const PictureFormat& format)
+    FileSink(const std::string& output, const PictureFormat& format)
         : pattern_(output, format.several), text_(format.text) {
         make_folder_of(output);
     }
@@ -24,7 +26,7 @@ class PngSink final : public PictureSink {
         text.emplace_back("Time", number_text(picture.time) + " s");
         last_ = pattern_.name(picture.number);
         if (count_++ == 0) first_ = last_;
-        write_png(last_, picture.image, text);
+        write(last_, picture, text);
     }
 
     void finish() override {}
@@ -36,10 +38,29 @@ class PngSink final : public PictureSink {
     }
 
   private:
+    virtual void write(const std::string& path, const Picture& picture, const ImageText& text) = 0;
     FilePattern pattern_;
     ImageText text_;
     std::string first_, last_;
     long count_ = 0;
+};
+
+class PngSink final : public FileSink {
+    using FileSink::FileSink;
+    void write(const std::string& path, const Picture& picture, const ImageText& text) override {
+        write_png(path, picture.image, text);
+    }
+};
+
+class ExrSink final : public FileSink {
+  public:
+    using FileSink::FileSink;
+    [[nodiscard]] bool wants_layers() const override { return true; }
+
+  private:
+    void write(const std::string& path, const Picture& picture, const ImageText& text) override {
+        write_exr(path, picture.layers, text);
+    }
 };
 
 }  // namespace
@@ -47,16 +68,27 @@ class PngSink final : public PictureSink {
 OutputKind output_kind(const std::string& output) {
     const std::string extension = std::filesystem::path(output).extension().string();
     if (extension == ".mp4") return OutputKind::Mp4;
-    if (extension != ".png") {
-        throw InputError("-o " + output + ": error: expected a name that ends in .png or .mp4");
+    if (extension != ".png" && extension != ".exr") {
+        throw InputError("-o " + output +
+                         ": error: expected a name that ends in .png, .exr or .mp4");
+    }
+    if (extension == ".exr" && !exr_available()) {
+        throw InputError("-o " + output +
+                         ": error: this emberleaf was built without OpenEXR; install it (on "
+                         "Debian: sudo apt install libopenexr-dev) and build again");
     }
     const FilePattern checked(output);
-    return OutputKind::Png;
+    return extension == ".exr" ? OutputKind::Exr : OutputKind::Png;
 }
 
 std::unique_ptr<PictureSink> open_sink(const std::string& output, const PictureFormat& format) {
-    if (output_kind(output) == OutputKind::Png) {
-        return std::make_unique<PngSink>(output, format);
+    switch (output_kind(output)) {
+        case OutputKind::Png:
+            return std::make_unique<PngSink>(output, format);
+        case OutputKind::Exr:
+            return std::make_unique<ExrSink>(output, format);
+        case OutputKind::Mp4:
+            break;
     }
     return std::make_unique<VideoEncoder>(output, format);
 }

@@ -4,21 +4,25 @@
 #include <memory>
 #include <string>
 
+#include "render/float_image.h"
 #include "render/image.h"
 
 namespace ember {
 
 /// A drawn picture and what is known about it.
 struct Picture {
-    Image image;
-    long number = 0;  ///< frame number, as in the file's name
-    double time = 0;  ///< [s] in the simulation
+    Image image;        ///< empty when no sink wants it
+    FloatImage layers;  ///< empty when no sink wants them
+    long number = 0;    ///< frame number, as in the file's name
+    double time = 0;    ///< [s] in the simulation
 };
 
 /// Takes pictures one after the other.
 class PictureSink {
   public:
     virtual ~PictureSink() = default;
+    /// Whether it takes layers (Renderer::draw_layers) rather than the image.
+    [[nodiscard]] virtual bool wants_layers() const { return false; }
     /// Throws RunError or std::runtime_error with the file and the reason.
     virtual void put(const Picture& picture) = 0;
     /// Completes what has been put; without it, an incomplete film is thrown away.
@@ -35,9 +39,10 @@ struct PictureFormat {
     ImageText text;       ///< goes into every PNG, together with "Frame" and "Time"
 };
 
-enum class OutputKind { Png, Mp4 };
+enum class OutputKind { Png, Exr, Mp4 };
 
-/// By the extension of `output`. Throws InputError for any other, and for a bad frame pattern.
+/// By the extension of `output`. Throws InputError for any other, for a bad frame pattern, and for
+/// EXR when this program was built without it.
 [[nodiscard]] OutputKind output_kind(const std::string& output);
 
 /// A sink for `output`. Throws RunError, e.g. when a film is asked for and ffmpeg is not there.

@@ -11,6 +11,13 @@ namespace {
 constexpr double kSteepest = 1.55;                   // [rad] just short of looking straight down
 constexpr double kNearest = 0.02, kFarthest = 20.0;  // [m]
 
+constexpr double kDegree = 3.141592653589793 / 180.0;
+constexpr CameraView kViews[] = {
+    {"front", 0.0, 5 * kDegree, 1.0},         {"three_quarter", 35 * kDegree, 15 * kDegree, 1.0},
+    {"side", 80 * kDegree, 5 * kDegree, 1.0}, {"back", 180 * kDegree, 5 * kDegree, 1.0},
+    {"top", 0.0, 75 * kDegree, 1.0},          {"low", 25 * kDegree, -8 * kDegree, 1.0},
+    {"close", 20 * kDegree, 6 * kDegree, 2.2}};
+
 struct Frame3 {
     Eigen::Vector3d forward, right, up;
 };
@@ -58,6 +65,17 @@ Eigen::Vector3f project(const Camera& camera, const Eigen::Vector3f& point, int 
             (0.5f - ndc.y() * 0.5f) * static_cast<float>(height), ndc.z() * 0.5f + 0.5f};
 }
 
+bool sees(const Camera& camera, const Eigen::Vector3f& centre, float radius) {
+    const Eigen::Vector3f at = (camera.view * centre.homogeneous()).head<3>();
+    const float high = camera.tan_half_fov;
+    const float wide = high * camera.projection(1, 1) / camera.projection(0, 0);
+    // distance from the planes that bound the picture
+    const auto within = [&](float offset, float slope) {
+        return std::abs(offset) + at.z() * slope < radius * std::sqrt(1.0f + slope * slope);
+    };
+    return at.z() < radius && within(at.x(), wide) && within(at.y(), high);
+}
+
 Eigen::Vector3f ray_through(const Camera& camera, double x, double y, int width, int height) {
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     const Eigen::Vector3f in_view(
@@ -65,6 +83,25 @@ Eigen::Vector3f ray_through(const Camera& camera, double x, double y, int width,
         (1.0f - 2.0f * static_cast<float>(y / height)) * camera.tan_half_fov, -1.0f);
     const Eigen::Matrix3f rotation = camera.view.block<3, 3>(0, 0);
     return (rotation.transpose() * in_view).normalized();
+}
+
+const CameraView* find_camera_view(std::string_view name) {
+    const auto* found = std::find_if(std::begin(kViews), std::end(kViews),
+                                     [&](const CameraView& view) { return view.name == name; });
+    return found == std::end(kViews) ? nullptr : found;
+}
+
+std::string camera_view_names() {
+    std::string names;
+    for (const CameraView& view : kViews)
+        names += (names.empty() ? "" : ", ") + std::string(view.name);
+    return names;
+}
+
+void look_from(CameraParams& params, const CameraView& view) {
+    params.azimuth = view.azimuth;
+    params.elevation = view.elevation;
+    zoom(params, view.closer);
 }
 
 void orbit(CameraParams& params, double to_the_right, double upwards) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
+#include <string_view>
 
 #include "render/view_params.h"
 
@@ -21,9 +23,26 @@ struct Camera {
 [[nodiscard]] Eigen::Vector3f project(const Camera& camera, const Eigen::Vector3f& point, int width,
                                       int height);
 
+/// Whether a sphere [m] is at least partly in the picture.
+[[nodiscard]] bool sees(const Camera& camera, const Eigen::Vector3f& centre, float radius);
+
 /// A ray through pixel (x, y): its direction in the world [1], from camera.eye.
 [[nodiscard]] Eigen::Vector3f ray_through(const Camera& camera, double x, double y, int width,
                                           int height);
+
+/// A place to look from, relative to where a preset's camera stands.
+struct CameraView {
+    std::string_view name;
+    double azimuth, elevation;  ///< [rad]
+    double closer;              ///< [1] the preset's distance is divided by it
+};
+
+/// front, three_quarter, side, back, top, low, close; nullptr when there is none of that name.
+[[nodiscard]] const CameraView* find_camera_view(std::string_view name);
+/// All names, for people.
+[[nodiscard]] std::string camera_view_names();
+/// Keeps target and angle of view.
+void look_from(CameraParams& params, const CameraView& view);
 
 /// Turns the camera around its target by mouse movements [rad].
 void orbit(CameraParams& params, double to_the_right, double upwards);

@@ -3,6 +3,8 @@
 namespace ember {
 namespace {
 
+constexpr int kBloomPart = 4;  // bloom has this fraction of the picture's width and height
+
 void attach(const Framebuffer& framebuffer, const Texture& colour) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour.name(), 0);
@@ -37,19 +39,22 @@ void FilmPass::allocate_buffers(int width, int height) {
     attach(single_, colour_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(), 0);
     check_complete();
-    const int w = (width + 3) / 4, h = (height + 3) / 4;
-    allocate(half_a_, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, w, h);
-    allocate(half_b_, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, w, h);
-    attach(blur_a_, half_a_);
-    attach(blur_b_, half_b_);
+    const int w = (width + kBloomPart - 1) / kBloomPart, h = (height + kBloomPart - 1) / kBloomPart;
+    allocate(bloom_, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, w, h);
+    allocate(spare_, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, w, h);
+    attach(bloom_target_, bloom_);
+    attach(spare_target_, spare_);
     check_complete();
 }
 
-void FilmPass::begin(int width, int height) {
-    if (width != width_ || height != height_) allocate_buffers(width, height);
+void FilmPass::begin(int width, int height, int samples) {
+    if (width != width_ || height != height_ || samples != samples_) {
+        samples_ = samples;
+        allocate_buffers(width, height);
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, multi_.name());
     glViewport(0, 0, width, height);
-    glClearColor(0, 0, 0, 1);
+    glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
@@ -60,51 +65,53 @@ void FilmPass::resolve() {
                       GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
 
-// Light that is brighter than the film can show, at a quarter of the size, blurred both ways twice.
-void FilmPass::blur(const PassInput& in, const Texture* fire) {
-    const int w = (width_ + 3) / 4, h = (height_ + 3) / 4;
-    glViewport(0, 0, w, h);
-    glBindFramebuffer(GL_FRAMEBUFFER, blur_a_.name());
-    bright_.use();
+void FilmPass::bind_inputs(const Program& program, const PassInput& in, const FilmInput& film) {
+    program.use();
     bind_texture(0, colour_);
-    bind_texture(1, fire != nullptr ? *fire : colour_);
-    bright_.set("u_scene", 0);
-    bright_.set("u_fire", 1);
-    bright_.set("u_has_fire", fire != nullptr ? 1 : 0);
-    bright_.set("u_exposure", static_cast<float>(in.params.look.exposure));
+    bind_texture(1, film.fire != nullptr ? *film.fire : colour_);
+    bind_texture(2, bloom_);
+    program.set("u_scene", 0);
+    program.set("u_fire", 1);
+    program.set("u_bloom", 2);
+    program.set("u_has_fire", film.fire != nullptr ? 1 : 0);
+    program.set("u_exposure", static_cast<float>(in.params.look.exposure));
+    const bool blooms = film.bloom && in.params.look.bloom > 0;
+    program.set("u_bloom_share", blooms ? static_cast<float>(in.params.look.bloom) : 0.0f);
+}
+
+void FilmPass::bloom(const PassInput& in, const FilmInput& film) {
+    const int w = (width_ + kBloomPart - 1) / kBloomPart;
+    const int h = (height_ + kBloomPart - 1) / kBloomPart;
+    glDisable(GL_DEPTH_TEST);
+    glBindVertexArray(empty_.name());
+    glViewport(0, 0, w, h);
+    glBindFramebuffer(GL_FRAMEBUFFER, bloom_target_.name());
+    bind_inputs(bright_, in, film);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     blur_.use();
     blur_.set("u_source", 0);
-    for (const float radius : {1.0f, 2.5f}) {
-        glBindFramebuffer(GL_FRAMEBUFFER, blur_b_.name());
-        bind_texture(0, half_a_);
+    for (const float radius : {1.0f, 2.7f}) {
+        glBindFramebuffer(GL_FRAMEBUFFER, spare_target_.name());
+        bind_texture(0, bloom_);
         blur_.set("u_step", Eigen::Vector2f(radius / static_cast<float>(w), 0));
         glDrawArrays(GL_TRIANGLES, 0, 3);
-        glBindFramebuffer(GL_FRAMEBUFFER, blur_a_.name());
-        bind_texture(0, half_b_);
+        glBindFramebuffer(GL_FRAMEBUFFER, bloom_target_.name());
+        bind_texture(0, spare_);
         blur_.set("u_step", Eigen::Vector2f(0, radius / static_cast<float>(h)));
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
+    glBindVertexArray(0);
 }
 
-void FilmPass::develop(const PassInput& in, const Texture* fire, unsigned target) {
+void FilmPass::develop(const PassInput& in, const FilmInput& film) {
     glDisable(GL_DEPTH_TEST);
-    glBindVertexArray(empty_.name());
-    // quantities are colours to be read, not light to be developed
-    const bool plain = in.params.view.mode != ViewMode::Beauty;
-    if (!plain) blur(in, fire);
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glBindFramebuffer(GL_FRAMEBUFFER, film.target);
     glViewport(0, 0, width_, height_);
-    film_.use();
-    bind_texture(0, colour_);
-    bind_texture(1, fire != nullptr ? *fire : colour_);
-    bind_texture(2, half_a_);
-    film_.set("u_scene", 0);
-    film_.set("u_fire", 1);
-    film_.set("u_bloom", 2);
-    film_.set("u_has_fire", fire != nullptr ? 1 : 0);
-    film_.set("u_exposure", static_cast<float>(in.params.look.exposure));
-    film_.set("u_plain", plain ? 1 : 0);
+    bind_inputs(film_, in, film);
+    // quantities are colours to be read, not light to be developed
+    film_.set("u_plain", film.linear ? 2 : in.params.view.mode != ViewMode::Beauty ? 1 : 0);
+    film_.set("u_transparent", in.params.view.transparent ? 1 : 0);
+    glBindVertexArray(empty_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
 }

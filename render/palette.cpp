@@ -1,6 +1,10 @@
 #include "render/palette.h"
 
+#include <algorithm>
+#include <cmath>
 #include <span>
+
+#include "render/blackbody.h"
 
 namespace ember {
 namespace {
@@ -37,11 +41,6 @@ constexpr Stop kEmber[] = {{0.0, 0.0f, 0.0f, 0.0f},     {0.12, 1.6f, 0.30f, 0.02
                            {0.95, 1.3f, 0.20f, 0.012f}, {1.6, 0.25f, 0.022f, 0.001f},
                            {2.6, 0.05f, 0.004f, 0.0f},  {4.0, 0.0f, 0.0f, 0.0f}};
 
-constexpr Stop kFlame[] = {{0.00, 0.000f, 0.000f, 0.000f}, {0.12, 0.010f, 0.001f, 0.000f},
-                           {0.25, 0.070f, 0.012f, 0.002f}, {0.45, 0.340f, 0.095f, 0.012f},
-                           {0.65, 1.050f, 0.450f, 0.060f}, {0.85, 2.000f, 1.150f, 0.220f},
-                           {1.00, 2.600f, 1.850f, 0.520f}};
-
 constexpr Stop kHeat[] = {{0.00, 0.002f, 0.001f, 0.012f}, {0.20, 0.090f, 0.008f, 0.150f},
                           {0.40, 0.330f, 0.018f, 0.130f}, {0.60, 0.720f, 0.085f, 0.035f},
                           {0.80, 0.950f, 0.380f, 0.020f}, {1.00, 0.975f, 0.960f, 0.420f}};
@@ -73,7 +72,11 @@ Colour ash_albedo(double pale) {
     return between_stops(kAsh, pale);
 }
 Colour flame_colour(double u) {
-    return between_stops(kFlame, u);
+    // Soot glows like a black body. Of 1300 to 1900 K daylight film would show red to orange only;
+    // eyes in a dark room see yellow, so the scale reaches higher.
+    const double x = std::clamp(u, 0.0, 1.0);
+    const double brightness = 1.5 * std::pow(x, 2.4);
+    return static_cast<float>(brightness) * blackbody_colour(1300.0 + 1900.0 * x * x);
 }
 Colour heat_map(double x) {
     return between_stops(kHeat, x);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "render/camera.h"
+#include "render/fire_sprites.h"
 #include "render/flame_lights.h"
 #include "render/gl_objects.h"
 #include "render/legend.h"
@@ -26,7 +28,8 @@ struct PassInput {
     const Lighting& lighting;
     const Bounds& bounds;                      ///< of the paper
     const Eigen::Matrix4f& shadow_from_world;  ///< to 0 .. 1 in the shadow map
-    const Texture& shadow;                     ///< all 1 where there is none
+    const Texture& shadow;                     ///< of nothing where there is none
+    bool paper;                                ///< whether there are sheets to draw
     int width, height;
 };
 
@@ -66,19 +69,26 @@ class LighterPass {
     GLsizei count_ = 0;
 };
 
+/// What shaders/sheet.frag draws: the picture, or an ingredient of it. Data: distance [m],
+/// temperature [degC], phase.
+enum class PaperLayer { Picture, Albedo, Emission, Normal, Data };
+
 /// The sheets as lit quads, or coloured by a quantity.
 class SheetPass {
   public:
     explicit SheetPass(int samples);
-    /// Brings the buffers up to date for a picture `height` pixels high; whether there is anything to
-    /// draw.
+    /// Brings the buffers up to date for a picture `height` pixels high; whether there is anything
+    /// to draw.
     [[nodiscard]] bool prepare(const Frame& frame, const RenderParams& params, int height);
     void draw(const PassInput& in);
+    /// Draws what the paper is made of, for compositing, instead of how it looks.
+    void draw_layer(const PassInput& in, PaperLayer layer);
     /// Draws the triangles with the program in use; attribute 0 is the position.
     void draw_triangles() const;
 
   private:
     void upload_topology(const WorldView& world, double pixels_per_metre);
+    void bind_paper(const PassInput& in, PaperLayer layer);
     void draw_paper(const PassInput& in);
     void draw_quantity(const PassInput& in);
     [[nodiscard]] const Texture& artwork(Artwork print) const;
@@ -138,49 +148,81 @@ class LegendPass {
     Buffer vertices_;
 };
 
-/// Fire particles as billboards, into a buffer of their own at half resolution.
+/// Flames, smoke and sparks, into a buffer of their own with fewer pixels.
 class FirePass {
   public:
     FirePass();
+    /// Brings the sprites up to date; whether any is in the picture.
+    [[nodiscard]] bool prepare(const PassInput& in);
     /// `depth` is the resolved depth of the scene. Leaves premultiplied light in texture().
     void draw(const PassInput& in, const Texture& depth);
     [[nodiscard]] const Texture& texture() const { return colour_; }
 
   private:
-    Program program_{"fire"};
-    Texture colour_, ramp_, sprites_;
-    Framebuffer target_;
-    VertexArray array_;
+    void bind_inputs(const Program& program, const PassInput& in, const Texture& depth);
+    void draw_sprites(GLsizei first, GLsizei count);
+    Program program_{"fire"}, light_{"screen", "flame"}, spark_{"fire", "spark"};
+    Texture amounts_, colour_, ramp_, sprites_;
+    Framebuffer amounts_target_, target_;
+    VertexArray array_, empty_;
     Buffer instances_;
+    GLsizei flames_ = 0, sparks_ = 0;
     int width_ = 0, height_ = 0;
+};
+
+/// What the film gets.
+struct FilmInput {
+    const Texture* fire = nullptr;  ///< null: no fire
+    bool bloom = false;             ///< whether anything can be too bright for the film
+    bool linear = false;            ///< light as it is, rather than developed
+    unsigned target = 0;            ///< framebuffer
 };
 
 /// The scene buffers, and the film: bloom, tone mapping, sRGB.
 class FilmPass {
   public:
-    explicit FilmPass(int samples) : samples_(samples) {}
-    void begin(int width, int height);  ///< binds and clears the multisampled buffers
-    void resolve();                     ///< to one sample per pixel
+    /// Binds and clears the multisampled buffers, to transparent black.
+    void begin(int width, int height, int samples);
+    void resolve();  ///< to one sample per pixel
     [[nodiscard]] const Texture& depth() const { return depth_; }
-    /// Develops the scene plus `fire` (may be null) into framebuffer `target`.
-    void develop(const PassInput& in, const Texture* fire, unsigned target);
+    /// Spreads what is too bright. Only before develop() with bloom.
+    void bloom(const PassInput& in, const FilmInput& film);
+    /// Develops the scene and the fire.
+    void develop(const PassInput& in, const FilmInput& film);
 
   private:
     void allocate_buffers(int width, int height);
-    void blur(const PassInput& in, const Texture* fire);
-    int samples_;
-    int width_ = 0, height_ = 0;
+    void bind_inputs(const Program& program, const PassInput& in, const FilmInput& film);
+    int samples_ = 0, width_ = 0, height_ = 0;
     Program bright_{"screen", "bright"}, blur_{"screen", "blur"}, film_{"screen", "film"};
     VertexArray empty_;
     Renderbuffer multi_colour_, multi_depth_;
-    Texture colour_, depth_, half_a_, half_b_;
-    Framebuffer multi_, single_, blur_a_, blur_b_;
+    Texture colour_, depth_, bloom_, spare_;
+    Framebuffer multi_, single_, bloom_target_, spare_target_;
+};
+
+/// Renderer::draw_layers: light and its ingredients in floating point.
+class LayerPass {
+  public:
+    void begin(int width, int height);  ///< the next frame is wanted as layers
+    [[nodiscard]] bool wanted() const { return wanted_; }
+    [[nodiscard]] unsigned target() const { return target_.name(); }  ///< for the light
+    void draw_paper(const PassInput& in, SheetPass& sheets);          ///< after the light
+    [[nodiscard]] FloatImage take();
+
+  private:
+    void read(std::initializer_list<const char*> names);
+    Texture colour_;
+    Renderbuffer depth_;
+    Framebuffer target_;
+    FloatImage image_;
+    bool wanted_ = false, paper_ = false;
 };
 
 /// Uploads a colour table as a 1-pixel-high texture.
 [[nodiscard]] Texture table_texture(Colour (*function)(double), double end);
 
-/// Sets camera, lights and view position for a lit program.
+/// Sets camera, lights, shadow map and view position for a lit program.
 void set_lighting(const Program& program, const PassInput& in);
 
 }  // namespace ember

@@ -1,7 +1,9 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "render/assets.h"
 #include "render/passes.h"
 
 namespace ember {
@@ -17,8 +19,6 @@ void load_gl(GlLoader loader) {
                           std::to_string(minor));
     }
 }
-
-constexpr int kShadowSize = 384;  // [pixels] the map is blurred anyway
 
 // Loads entry points before the passes create their objects.
 struct LoadedGl {
@@ -38,22 +38,71 @@ struct Renderer::Passes {
     LegendPass legend;
     FirePass fire;
     FilmPass film;
+    LayerPass layers;
     Texture read_colour;
     Framebuffer read_target;
     PassCounters counters;
+    PassObserver observer;
+    int samples;
 
-    Passes(GlLoader loader, int samples) : gl(loader), sheets(samples), film(samples) {}
+    Passes(GlLoader loader, int samples_) : gl(loader), sheets(samples_), samples(samples_) {}
 
+    // Runs a pass, counts it and tells the observer.
     template <class Pass>
-    static void run(int& counter, const Pass& pass) {
+    void run(std::string_view name, int& counter, const Pass& pass) {
         pass();
         ++counter;
+        if (!observer) return;
+        glFinish();
+        observer(name);
     }
 };
 
+namespace {
+
+constexpr double kGlows = 650.0;  // [K] from here on paper may be too bright for the film
+
+bool anything_glows(const WorldView& world) {
+    for (const SheetView& sheet : world.sheets) {
+        if (std::any_of(sheet.temperature.begin(), sheet.temperature.end(),
+                        [](double t) { return t > kGlows; })) {
+            return true;
+        }
+    }
+    return !world.particles.x.empty();
+}
+
+}  // namespace
+
 Renderer::Renderer(GlLoader loader, int samples)
-    : passes_(std::make_unique<Passes>(loader, samples)) {}
+    : passes_(std::make_unique<Passes>(loader, samples)), loader_(loader) {}
 Renderer::~Renderer() = default;
+
+// Shadow, set and sheets, into the film's buffers.
+void Renderer::draw_scene(const PassInput& in) {
+    Passes& p = *passes_;
+    const WorldView& world = *in.frame.world;
+    const ViewParams& view = in.params.view;
+    const bool preview = in.params.look.quality == Quality::Preview;
+    if (&in.shadow == &p.shadow.texture()) {
+        p.run("shadow", p.counters.shadow,
+              [&] { p.shadow.draw(in, p.sheets, preview ? 192 : 384); });
+    }
+    p.film.begin(in.width, in.height, preview ? std::min(p.samples, 2) : p.samples);
+    // from the front to the back, so that little is coloured twice
+    if (view.mode == ViewMode::Lattice || view.mode == ViewMode::Stiffness) {
+        if (p.lattice.draw(in)) p.run("lattice", p.counters.lattice, [] {});
+    } else if (in.paper && sees(in.camera, in.bounds.centre, in.bounds.radius)) {
+        p.run("sheets", p.counters.sheets, [&] { p.sheets.draw(in); });
+    }
+    const bool lit = std::any_of(world.lighters.begin(), world.lighters.end(),
+                                 [](const LighterView& lighter) { return lighter.lit; });
+    if (lit) p.run("lighter", p.counters.lighter, [&] { p.lighter.draw(in); });
+    if (view.transparent) return;
+    if (view.ground && world.ground) p.run("ground", p.counters.ground, [&] { p.ground.draw(in); });
+    int uncounted = 0;
+    p.run("backdrop", uncounted, [&] { p.backdrop.draw(in); });
+}
 
 void Renderer::draw(const Frame& frame, const RenderParams& params, int width, int height,
                     unsigned target) {
@@ -71,27 +120,28 @@ void Renderer::draw(const Frame& frame, const RenderParams& params, int width, i
     const bool shadow = paper && beauty && params.look.key_light > 0;
     const PassInput in{frame,    params, camera,    lights,
                        lighting, bounds, to_shadow, shadow ? p.shadow.texture() : p.shadow.none(),
-                       width,    height};
+                       paper,    width,  height};
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
-    if (shadow) p.run(p.counters.shadow, [&] { p.shadow.draw(in, p.sheets, kShadowSize); });
-    p.film.begin(width, height);
-    p.backdrop.draw(in);
-    if (params.view.ground && world.ground) p.run(p.counters.ground, [&] { p.ground.draw(in); });
-    const bool lit = std::any_of(world.lighters.begin(), world.lighters.end(),
-                                 [](const LighterView& lighter) { return lighter.lit; });
-    if (lit) p.run(p.counters.lighter, [&] { p.lighter.draw(in); });
-    if (lattice) p.counters.lattice += p.lattice.draw(in) ? 1 : 0;
-    if (paper) p.run(p.counters.sheets, [&] { p.sheets.draw(in); });
-    p.film.resolve();
-    const bool fire = params.view.flames && beauty && !world.particles.x.empty();
-    if (fire) p.run(p.counters.fire, [&] { p.fire.draw(in, p.film.depth()); });
-    p.film.develop(in, fire ? &p.fire.texture() : nullptr, target);
-    const Legend legend = legend_of(params.view);
-    if (!legend.empty()) p.run(p.counters.legend, [&] { p.legend.draw(in, legend, target); });
-    ++p.counters.frames;
+    draw_scene(in);
+    int uncounted = 0;
+    p.run("resolve", uncounted, [&] { p.film.resolve(); });
+    FilmInput film;
+    film.target = target;
+    film.linear = p.layers.wanted();
+    if (params.view.flames && beauty && !world.particles.x.empty() && p.fire.prepare(in)) {
+        p.run("fire", p.counters.fire, [&] { p.fire.draw(in, p.film.depth()); });
+        film.fire = &p.fire.texture();
+    }
+    film.bloom = beauty && !film.linear && params.look.bloom > 0 && anything_glows(world);
+    if (film.bloom) p.run("bloom", p.counters.bloom, [&] { p.film.bloom(in, film); });
+    p.run("film", p.counters.frames, [&] { p.film.develop(in, film); });
+    if (film.linear && paper) p.layers.draw_paper(in, p.sheets);
+    const Legend legend = film.linear ? Legend{} : legend_of(params.view);
+    if (!legend.empty())
+        p.run("legend", p.counters.legend, [&] { p.legend.draw(in, legend, target); });
 }
 
 Image Renderer::draw_image(const Frame& frame, const RenderParams& params, int width, int height) {
@@ -112,6 +162,26 @@ Image Renderer::draw_image(const Frame& frame, const RenderParams& params, int w
         image.rgba.insert(image.rgba.end(), begin, begin + static_cast<std::ptrdiff_t>(row));
     }
     return image;
+}
+
+FloatImage Renderer::draw_layers(const Frame& frame, const RenderParams& params, int width,
+                                 int height) {
+    Passes& p = *passes_;
+    p.layers.begin(width, height);
+    draw(frame, params, width, height, p.layers.target());
+    return p.layers.take();
+}
+
+void Renderer::observe_passes(PassObserver observer) {
+    passes_->observer = std::move(observer);
+}
+
+void Renderer::reload(const std::filesystem::path& folder) {
+    use_asset_folder(folder);
+    auto fresh = std::make_unique<Passes>(loader_, passes_->samples);
+    fresh->counters = passes_->counters;
+    fresh->observer = passes_->observer;
+    passes_ = std::move(fresh);
 }
 
 PassCounters Renderer::counters() const {

@@ -1,5 +1,7 @@
 #include "render/shader_library.h"
 
+#include <fstream>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -8,6 +10,12 @@
 
 namespace ember {
 namespace {
+
+// Files that stand in for embedded ones, by name.
+std::map<std::string_view, std::vector<unsigned char>>& replaced_assets() {
+    static std::map<std::string_view, std::vector<unsigned char>> files;
+    return files;
+}
 
 std::string text_of(std::string_view file) {
     const auto bytes = asset(file);
@@ -93,7 +101,22 @@ void Program::set_array(const char* uniform, int count, const Eigen::Vector4f* v
     glUniform4fv(find(uniform), count, values->data());
 }
 
+void use_asset_folder(const std::filesystem::path& folder) {
+    replaced_assets().clear();
+    if (folder.empty()) return;
+    for (const Asset& a : assets()) {
+        std::ifstream file(folder / a.name, std::ios::binary);
+        if (!file) continue;
+        replaced_assets()[a.name] = {std::istreambuf_iterator<char>(file), {}};
+    }
+    if (replaced_assets().empty()) {
+        throw RenderError(folder.string() + ": no shader and no texture of this program in there");
+    }
+}
+
 std::span<const unsigned char> asset(std::string_view name) {
+    const auto replaced = replaced_assets().find(name);
+    if (replaced != replaced_assets().end()) return replaced->second;
     for (const Asset& a : assets()) {
         if (a.name == name) return a.bytes;
     }

@@ -97,7 +97,7 @@ void SheetPass::draw_triangles() const {
     glBindVertexArray(0);
 }
 
-void SheetPass::draw_paper(const PassInput& in) {
+void SheetPass::bind_paper(const PassInput& in, PaperLayer layer) {
     paper_.use();
     set_lighting(paper_, in);
     const char* samplers[] = {"u_scorch", "u_ember", "u_fibre", "u_crackle", "u_front", "u_back"};
@@ -114,8 +114,18 @@ void SheetPass::draw_paper(const PassInput& in) {
     paper_.set("u_char", char_albedo());
     paper_.set("u_ash_dark", ash_albedo(0));
     paper_.set("u_ash_pale", ash_albedo(1));
-    paper_.set("u_samples", samples_);
+    paper_.set("u_layer", static_cast<int>(layer));
+    paper_.set("u_samples", layer == PaperLayer::Picture ? samples_ : 1);
     paper_.set("u_wireframe", in.params.view.wireframe ? 1 : 0);
+}
+
+void SheetPass::draw_layer(const PassInput& in, PaperLayer layer) {
+    bind_paper(in, layer);
+    draw_triangles();
+}
+
+void SheetPass::draw_paper(const PassInput& in) {
+    bind_paper(in, PaperLayer::Picture);
     // torn edges are covered in part; what is covered counts as opaque
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glEnable(GL_SAMPLE_ALPHA_TO_ONE);

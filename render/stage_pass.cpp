@@ -46,13 +46,16 @@ float grid_line(int i, int half) {
 }  // namespace
 
 void BackdropPass::draw(const PassInput& in) {
-    glDisable(GL_DEPTH_TEST);
+    // as far away as can be: only pixels that nothing has covered are coloured
+    glDepthFunc(GL_LEQUAL);
+    glDepthRange(1, 1);
     glBindVertexArray(empty_.name());
     program_.use();
     set_lighting(program_, in);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
-    glEnable(GL_DEPTH_TEST);
+    glDepthRange(0, 1);
+    glDepthFunc(GL_LESS);
 }
 
 GroundPass::GroundPass() {

@@ -11,6 +11,7 @@ using detail::Access;
 using R = RenderParams;
 
 constexpr std::string_view kLightings[] = {"studio", "night"};
+constexpr std::string_view kQualities[] = {"full", "preview"};
 constexpr std::string_view kModes[] = {"beauty", "lattice", "temperature", "mass",
                                        "state",  "stress",  "stiffness"};
 constexpr std::string_view kArtworks[] = {"none", "letter", "music"};
@@ -75,6 +76,9 @@ constexpr ParamInfo kRows[] = {
                                         "stiffness, or a colour-mapped quantity."),
     toggle<&R::view, &ViewParams::flames>("view.flames", "Whether fire is drawn."),
     toggle<&R::view, &ViewParams::ground>("view.ground", "Whether the ground is drawn."),
+    toggle<&R::view, &ViewParams::transparent>("view.transparent",
+                                               "Neither backdrop nor ground; the picture's alpha "
+                                               "says how much it covers."),
     toggle<&R::view, &ViewParams::wireframe>("view.wireframe",
                                              "Whether the edges of the lattice's cells are drawn."),
     toggle<&R::view, &ViewParams::legend>("view.legend",
@@ -113,10 +117,23 @@ constexpr ParamInfo kRows[] = {
                                              Linear,
                                              "Light that flames throw on paper and ground."),
     real<&R::look, &LookParams::flame_size>("look.flame_size", unit::millimetre, {0.5, 500},
-                                            {5, 60}, Linear,
-                                            "Radius of a fire sprite at birth temperature."),
+                                            {5, 60}, Linear, "Width of a tongue of flame."),
+    real<&R::look, &LookParams::flame_share>("look.flame_share", unit::percent, {0, 100}, {1, 40},
+                                             Linear,
+                                             "Share of the fire particles that are drawn as "
+                                             "tongues; more make the fire denser."),
     real<&R::look, &LookParams::flame_brightness>("look.flame_brightness", unit::one, {0, 100},
                                                   {0.2, 4}, Linear, "Brightness of flames."),
+    real<&R::look, &LookParams::smoke>("look.smoke", unit::one, {0, 10}, {0, 3}, Linear,
+                                       "How dense the smoke above the flames is."),
+    real<&R::look, &LookParams::sparks>("look.sparks", unit::one, {0, 100}, {0, 5}, Linear,
+                                        "How many sparks fly."),
+    real<&R::look, &LookParams::bloom>("look.bloom", unit::one, {0, 1}, {0, 0.8}, Linear,
+                                       "Share of the light beyond the film's range that spreads "
+                                       "around what glows."),
+    choice<&R::look, &LookParams::quality>("look.quality", kQualities,
+                                           "Preview draws with fewer samples, and fire and shadows "
+                                           "with fewer pixels."),
     real<&R::shot, &ShotParams::duration>("shot.duration", unit::second, {0, 3600}, {1, 60}, Linear,
                                           "Length of the shot that render draws."),
     real<&R::shot, &ShotParams::fps>("shot.fps", unit::hertz, {0.1, 1000}, {24, 60}, Linear,

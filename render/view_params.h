@@ -28,6 +28,7 @@ struct ViewParams {
     ViewMode mode = ViewMode::Beauty;
     bool flames = true;
     bool ground = true;
+    bool transparent = false;  // no backdrop, no ground; alpha says what is covered
     bool wireframe = false;
     bool legend = true;
     double stress_range = 200.0;  // [Pa] at both ends of the scale
@@ -45,14 +46,22 @@ struct PrintParams {
 /// The set: how it is lit without the fire.
 enum class LightingPreset : std::uint8_t { Studio, Night };
 
+/// How much work a picture is: Preview has fewer samples and softer fire and shadows.
+enum class Quality : std::uint8_t { Full, Preview };
+
 /// Light and film.
 struct LookParams {
     LightingPreset lighting = LightingPreset::Studio;
     double exposure = 1.0;          // [1]
     double key_light = 1.0;         // [1]
     double flame_light = 1.0;       // [1] light that the flames throw on the sheet and ground
-    double flame_size = 0.030;      // [m] billboard radius at birth temperature
+    double flame_size = 0.030;      // [m] width of a tongue of flame
+    double flame_share = 0.055;     // [1] of the fire particles are drawn as tongues
     double flame_brightness = 1.0;  // [1]
+    double smoke = 1.0;             // [1]
+    double sparks = 1.0;            // [1]
+    double bloom = 0.4;             // [1] share of light beyond the film's range that is spread
+    Quality quality = Quality::Full;
 };
 
 /// Length of the shot that `render` draws when no frames are given.

@@ -1,5 +1,5 @@
-// What is too bright for the film, for the bloom. Energy above the threshold is kept, below it is 0.
-// in  v_uv; scene and fire, linear RGB
+// What is too bright for the film, to be spread around it: the light beyond 2.25 times paper white.
+// in  v_uv; scene and fire, linear RGB, premultiplied
 // out linear RGB
 
 in vec2 v_uv;
@@ -10,8 +10,9 @@ out vec4 o_colour;
 
 void main() {
     vec3 light = texture(u_scene, v_uv).rgb;
-    if (u_has_fire != 0) light += texture(u_fire, v_uv).rgb;
-    light *= u_exposure;
-    float peak = max(light.r, max(light.g, light.b));
-    o_colour = vec4(light * (max(peak - 1.1, 0.0) / max(peak, 1e-4)), 1.0);
+    if (u_has_fire != 0) {
+        vec4 fire = texture(u_fire, v_uv);
+        light = light * (1.0 - fire.a) + fire.rgb;
+    }
+    o_colour = vec4(beyond_film(light * u_exposure), 1.0);
 }

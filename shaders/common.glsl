@@ -20,6 +20,12 @@ vec3 backdrop(vec2 uv) {
     return mix(u_backdrop_mid, u_backdrop_edge, far);
 }
 
+// Light beyond what film can show, which blooms: from 2.25 times paper white, 0.75 here.
+vec3 beyond_film(vec3 light) {
+    float peak = max(light.r, max(light.g, light.b));
+    return light * (max(peak - 1.7, 0.0) / max(peak, 1e-4));
+}
+
 // A cheap hash in [0, 1) without trigonometry, which would differ between processors.
 float hash(vec2 p) {
     vec3 q = fract(vec3(p.xyx) * vec3(0.1031, 0.1030, 0.0973));

@@ -1,12 +1,13 @@
 // The film: scene + fire + bloom, tone mapped and encoded.
-// in  v_uv; linear RGB
+// in  v_uv; linear RGB, premultiplied with how much is covered
 // out sRGB-encoded RGB (encoded here because framebuffers that encode do so differently from
-//     processor to processor)
+//     processor to processor); when transparent, straight alpha so that encoded colour times alpha
+//     is the picture over black
 
 in vec2 v_uv;
 uniform sampler2D u_scene, u_fire, u_bloom;
-uniform int u_has_fire, u_plain;
-uniform float u_exposure;
+uniform int u_has_fire, u_plain, u_transparent;
+uniform float u_exposure, u_bloom_share;
 out vec4 o_colour;
 
 vec3 encode(vec3 c) {
@@ -18,7 +19,7 @@ vec3 encode(vec3 c) {
 // stays orange, until light is so strong that film would burn out to white.
 vec3 develop(vec3 c) {
     float peak = max(c.r, max(c.g, max(c.b, 1e-5)));
-    float toned = 1.0 - exp(-1.25 * peak);
+    float toned = 1.0 - exp(-1.35 * peak);
     vec3 ratio = c / peak;
     float burnt_out = smoothstep(1.6, 9.0, peak);
     ratio = mix(ratio, vec3(1.0, 0.97, 0.86), 0.62 * burnt_out);
@@ -26,11 +27,30 @@ vec3 develop(vec3 c) {
 }
 
 void main() {
-    vec3 light = texture(u_scene, v_uv).rgb;
-    if (u_has_fire != 0) light += texture(u_fire, v_uv).rgb;
-    if (u_plain == 0) {
-        light = light * u_exposure + 0.35 * texture(u_bloom, v_uv).rgb;
-        light = develop(light);
+    vec4 light = texture(u_scene, v_uv);
+    if (u_has_fire != 0) {
+        vec4 fire = texture(u_fire, v_uv);
+        light = light * (1.0 - fire.a) + fire;
     }
-    o_colour = vec4(encode(light), 1.0);
+    if (u_plain == 2) {  // light as it is, for compositing
+        o_colour = light;
+        return;
+    }
+    if (u_plain == 0) {
+        light.rgb *= u_exposure;
+        // what spreads is taken from where it came: bloom adds no light
+        if (u_bloom_share > 0.0)
+            light.rgb += u_bloom_share * (texture(u_bloom, v_uv).rgb - beyond_film(light.rgb));
+        light.rgb = develop(light.rgb);
+    }
+    vec3 encoded = encode(light.rgb);
+    if (u_transparent != 0) {
+        // light that covers nothing, such as a flame's, needs an alpha too, or it would be lost
+        float alpha = max(clamp(light.a, 0.0, 1.0), max(encoded.r, max(encoded.g, encoded.b)));
+        o_colour = vec4(encoded / max(alpha, 1.0 / 255.0), alpha);
+        return;
+    }
+    // less than one step of noise, the same in every picture, so that dark gradients show no bands
+    if (u_plain == 0) encoded += (hash(gl_FragCoord.xy) - 0.5) / 255.0;
+    o_colour = vec4(encoded, 1.0);
 }

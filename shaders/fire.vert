@@ -1,36 +1,40 @@
-// One billboard per fire particle, stretched along its flight.
-// in  position [m], velocity [m/s], (heat 1 .. 0, share of life 0 .. 1, seed 0 .. 1)
-// out place in the sprite, and what its light depends on
+// A strip of fire that turns about its axis to face the camera.
+// in  tail and head [m]; half width [m], row, frame, mirror; heat, flame, blue, smoke (fire_sprites.h)
+// out place in two neighbouring pictures of the flipbook and their mix, the rest as it is
 
-layout(location = 0) in vec3 a_position;
-layout(location = 1) in vec3 a_velocity;
-layout(location = 2) in vec3 a_state;
+layout(location = 0) in vec3 a_tail;
+layout(location = 1) in vec3 a_head;
+layout(location = 2) in vec4 a_shape;
+layout(location = 3) in vec4 a_amount;
 uniform mat4 u_view, u_projection;
-uniform float u_size;                   // radius at birth temperature [m]
-out vec2 v_sprite;                      // 0 .. 1 in the atlas
-out float v_heat;
-out float v_fade;
+out vec2 v_first, v_second;             // 0 .. 1 in the atlas
+flat out float v_mix;
+flat out vec4 v_amount;
+out float v_up;                         // 0 at the tail, 1 at the head
 out float v_distance;                   // [m] from the camera along its axis
 
+const vec2 kCells = vec2(16.0, 5.0);
+
 void main() {
-    vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, gl_VertexID < 2 ? -1.0 : 1.0);
-    float heat = a_state.x, life = a_state.y, seed = a_state.z;
-    vec4 centre = u_view * vec4(a_position, 1.0);
-    vec2 flight = (u_view * vec4(a_velocity, 0.0)).xy;
-    float speed = length(flight);
-    vec2 along = speed > 1e-4 ? flight / speed : vec2(0.0, 1.0);
-    vec2 across = vec2(along.y, -along.x);
-    // a flame starts small at the paper, swells, and thins out as it cools
-    float swell = smoothstep(0.0, 0.22, life);
-    float size = u_size * (0.30 + 0.70 * swell) * (0.45 + 0.55 * heat) * (0.75 + 0.5 * seed);
-    float stretch = 1.0 + min(1.1 * speed, 1.6);
-    centre.xy += (across * corner.x / sqrt(stretch) + along * corner.y * sqrt(stretch)) * size;
-    gl_Position = u_projection * centre;
-    v_distance = -centre.z;
-    v_heat = heat;
-    v_fade = smoothstep(0.0, 0.10, life) * (1.0 - smoothstep(0.55, 1.0, life));
-    float index = floor(seed * 4.0);
-    vec2 cell = vec2(mod(index, 2.0), floor(index * 0.5));
-    float mirror = fract(seed * 37.0) < 0.5 ? -1.0 : 1.0;
-    v_sprite = (cell + vec2(corner.x * mirror, -corner.y) * 0.49 + 0.5) * 0.5;
+    vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, gl_VertexID < 2 ? 0.0 : 1.0);
+    vec3 tail = (u_view * vec4(a_tail, 1.0)).xyz, head = (u_view * vec4(a_head, 1.0)).xyz;
+    // tongues leave the borders of their cells empty, so these are not drawn
+    vec2 used = a_shape.y < 3.5 ? vec2(0.80, 0.95) : vec2(1.0);
+    vec2 axis = head.xy - tail.xy;
+    float extent = length(axis);
+    vec2 along = extent > 1e-6 ? axis / extent : vec2(0.0, 1.0);
+    // seen along its axis, a flame is as wide as it is long
+    float missing = max(2.0 * a_shape.x - extent, 0.0);
+    corner *= used;
+    vec3 place = mix(tail, head, corner.y);
+    place.xy += along * (corner.y - 0.5) * missing + vec2(along.y, -along.x) * corner.x * a_shape.x;
+    gl_Position = u_projection * vec4(place, 1.0);
+    v_distance = -place.z;
+    v_up = corner.y;
+    v_mix = fract(a_shape.z);
+    v_amount = a_amount;
+    vec2 in_cell = vec2(0.5 + 0.5 * corner.x * a_shape.w, 1.0 - corner.y);
+    float frame = floor(a_shape.z);
+    v_first = (vec2(frame, a_shape.y) + in_cell) / kCells;
+    v_second = (vec2(min(frame + 1.0, kCells.x - 1.0), a_shape.y) + in_cell) / kCells;
 }

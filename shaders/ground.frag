@@ -14,8 +14,7 @@ void main() {
     vec3 light = u_key * (facing * key_visibility(v_place)) + u_sky;
     // the lamp's pool of light ends where the sweep begins
     float away = length(v_place.xz);
-    float grain = 0.94 + 0.12 * value_noise(v_place.xz * 420.0);
-    vec3 lit = u_albedo * grain * (light * v_open * (1.0 - smoothstep(0.2, 1.1, away)) +
+    vec3 lit = u_albedo * (light * v_open * (1.0 - smoothstep(0.2, 1.1, away)) +
                                    kFlameColour * v_flame);
     o_colour = vec4(mix(lit, backdrop(gl_FragCoord.xy / u_pixels), smoothstep(0.25, 1.25, away)), 1.0);
 }

@@ -16,6 +16,7 @@ uniform sampler2D u_front, u_back;      // ink on both faces
 uniform vec3 u_char, u_ash_dark, u_ash_pale;
 uniform int u_samples;                  // per pixel
 uniform int u_wireframe;
+uniform int u_layer;                    // 0 the picture, else an ingredient (PaperLayer)
 out vec4 o_colour;
 
 const float kScorchEnd = 32.0, kEmberEnd = 4.0;     // [mm]
@@ -142,6 +143,15 @@ void main() {
     glow += vec3(0.50, 0.055, 0.004) * (burning * hot * (1.0 - smoothstep(0.0, 0.45, crack.r)) *
             smoothstep(0.52, 0.75, fibre.b + 0.5 * (coarse.g - 0.5)));
 
+    // ingredients, for compositing (PaperLayer)
+    if (u_layer == 1) { o_colour = vec4(albedo, 1.0); return; }
+    if (u_layer == 2) { o_colour = vec4(glow, 1.0); return; }
+    if (u_layer == 3) { o_colour = vec4(n, 1.0); return; }
+    if (u_layer == 4) {
+        float phase = v_fields.y > 0.0 ? 2.0 : v_fields.x > 0.0 ? 1.0 : 0.0;
+        o_colour = vec4(1.0 / gl_FragCoord.w, v_fields.w, phase, 1.0);
+        return;
+    }
     light += glow;
     if (u_wireframe != 0) light = mix(light, vec3(0.05, 0.35, 0.75), 0.8 * on_edge());
     o_colour = vec4(light, covered);

@@ -1,6 +1,5 @@
 // Makes the textures of this folder: emberleaf_make_textures FOLDER.
 //
-// flame.png    256×256, a 2×2 atlas of soft, wispy puffs: density in alpha, white in colour.
 // fibre.png    256×256, tileable, 40 mm wide: grain of paper fibres in red, slow blotches in green,
 //              noise of 7 mm and finer in blue, single fibres in alpha.
 // crackle.png  256×256, tileable, 48 mm wide, how char cracks: distance to the nearest crack in red
@@ -15,67 +14,13 @@
 #include <string>
 #include <vector>
 
+#include "noise.h"
+
 namespace {
 
+using namespace ember::texture;
+
 constexpr int kSize = 256;
-
-double hash(int x, int y, int seed) {
-    auto h = static_cast<std::uint32_t>(x) * 0x8DA6B343u ^
-             static_cast<std::uint32_t>(y) * 0xD8163841u ^
-             static_cast<std::uint32_t>(seed) * 0xCB1AB31Fu;
-    h ^= h >> 15;
-    h *= 0x2C1B3C6Du;
-    h ^= h >> 12;
-    h *= 0x297A2D39u;
-    h ^= h >> 15;
-    return h / 4294967296.0;
-}
-
-double smooth(double t) {
-    return t * t * (3 - 2 * t);
-}
-
-// Value noise with `period` cells per unit, tiling over the unit square.
-double noise(double x, double y, int period_x, int period_y, int seed) {
-    const double px = x * period_x, py = y * period_y;
-    const int ix = static_cast<int>(std::floor(px)), iy = static_cast<int>(std::floor(py));
-    const double tx = smooth(px - ix), ty = smooth(py - iy);
-    const auto at = [&](int dx, int dy) {
-        const int cx = ((ix + dx) % period_x + period_x) % period_x;
-        const int cy = ((iy + dy) % period_y + period_y) % period_y;
-        return hash(cx, cy, seed);
-    };
-    return (at(0, 0) * (1 - tx) + at(1, 0) * tx) * (1 - ty) +
-           (at(0, 1) * (1 - tx) + at(1, 1) * tx) * ty;
-}
-
-double octaves(double x, double y, int period_x, int period_y, int seed, int count) {
-    double sum = 0, weight = 0.5, total = 0;
-    for (int i = 0; i < count; ++i) {
-        sum += weight * noise(x, y, period_x << i, period_y << i, seed + i);
-        total += weight;
-        weight *= 0.55;
-    }
-    return sum / total;
-}
-
-std::uint8_t byte(double v) {
-    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0, 1.0)));
-}
-
-// A puff: a soft drop, torn by noise that is stretched upwards like a tongue of flame.
-double puff(double x, double y, int seed) {
-    const double u = 2 * x - 1, v = 2 * y - 1;  // v grows downwards: the tip is at -1
-    const double width = 0.62 + 0.22 * v;       // narrower towards the tip
-    const double sway = 0.22 * (noise(0.1, y * 0.5 + 0.25, 1, 4, seed + 90) - 0.5) * (1 - y);
-    const double r = std::sqrt((u - sway) * (u - sway) / (width * width) + v * v * 1.15);
-    const double wisps = octaves(x, y * 0.6 + 0.2, 4, 3, seed, 4);
-    const double body =
-        std::max(0.0, 1 - r - 0.75 * (0.58 - wisps) * smooth(std::min(1.0, r * 1.2)));
-    const double border = std::max(std::abs(u), std::abs(v));
-    const double edge = 1 - smooth(std::clamp((border - 0.80) / 0.18, 0.0, 1.0));
-    return std::pow(body, 1.35) * (0.55 + 0.65 * wisps) * edge;
-}
 
 void write(const std::string& path, const std::vector<std::uint8_t>& pixels, int width, int height,
            int channels) {
@@ -83,19 +28,6 @@ void write(const std::string& path, const std::vector<std::uint8_t>& pixels, int
         0) {
         std::fprintf(stderr, "cannot write %s\n", path.c_str());
     }
-}
-
-std::vector<std::uint8_t> flames() {
-    std::vector<std::uint8_t> rgba;
-    for (int y = 0; y < kSize; ++y) {
-        for (int x = 0; x < kSize; ++x) {
-            const int cell = (x * 2 / kSize) + 2 * (y * 2 / kSize);
-            const double u = (x % (kSize / 2) + 0.5) / (kSize / 2);
-            const double v = (y % (kSize / 2) + 0.5) / (kSize / 2);
-            rgba.insert(rgba.end(), {255, 255, 255, byte(puff(u, v, 100 + 37 * cell))});
-        }
-    }
-    return rgba;
 }
 
 // Single fibres, mainly along x: strokes that bend a little, drawn one over the other.
@@ -194,7 +126,6 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::string folder = std::string(argv[1]) + '/';
-    write(folder + "flame.png", flames(), kSize, kSize, 4);
     write(folder + "fibre.png", fibres(), kSize, kSize, 4);
     write(folder + "crackle.png", crackle(), kSize, kSize, 3);
 }

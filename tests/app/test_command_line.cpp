@@ -36,7 +36,7 @@ TEST(CommandLine, HelpAndVersionSucceed) {
 
 TEST(CommandLine, FlagsThatDoNotExistAreRefusedNotIgnored) {
     for (const char* flag :
-         {"--transparent", "--skip-existing", "--save", "--resume", "--frame", "--nonsense"}) {
+         {"--skip-existing", "--save", "--resume", "--frame", "--nonsense"}) {
         expect_refused({"render", "paper/corner", "-o", "x.png", flag}, flag);
     }
     expect_refused({"simulate", "paper/corner", "--seconds", "1", "--save", "x"}, "--save");
@@ -61,7 +61,7 @@ TEST(CommandLine, BadArgumentsAreRefusedBeforeAnythingIsWritten) {
     };
     expect_refused({"render", "paper/corner"}, "--output");
     expect_refused({"render", "-o", "x.png"}, "PRESET");
-    expect_refused({"render", "paper/corner", "-o", "x.mov"}, ".png or .mp4");
+    expect_refused({"render", "paper/corner", "-o", "x.mov"}, ".exr or .mp4");
     expect_refused({"render", "paper/corner", "-o", "x_%s.png"}, "%0Nd");
     expect_refused(with({"--frames", "5..1"}), "--frames");
     expect_refused(with({"--at", "-1"}), "--at");

@@ -6,6 +6,7 @@
 
 #include "child.h"
 #include "ply_reader.h"
+#include "render/exr_file.h"
 #include "render/image.h"
 #include "temporary_folder.h"
 
@@ -126,6 +127,27 @@ TEST(Render, WritesPicturesAndAFilmInOneRun) {
                                                      "f_4.png", "film", "film/f.mp4"}));
     EXPECT_EQ(folder.read("film/f.mp4").substr(4, 4), "ftyp");
     EXPECT_LT(folder.read("film/f.mp4").find("moov"), folder.read("film/f.mp4").find("mdat"));
+}
+
+TEST(Render, WritesLayersAndTransparentPicturesFromANamedPlace) {
+    const TemporaryFolder folder;
+    const bool exr = exr_available();
+    Words words = {"render", "paper/corner", "-o", "f.png",  "--transparent", "--camera",
+                   "close",  "--frames",     "0",  "--size", "64x48"};
+    if (exr) words.insert(words.end(), {"-o", "f.exr"});
+    const ChildResult result = run_in(folder, words);
+    ASSERT_EQ(result.code, 0) << result.err;
+    const Image image = read_image(folder / "f.png");
+    EXPECT_EQ(image.rgba[3], 0) << "nothing in the corner";
+    EXPECT_EQ(image.rgba[4 * (24 * 64 + 32) + 3], 255) << "paper in the middle";
+    if (exr) {
+        EXPECT_EQ(read_exr(folder / "f.exr").channels.size(), 16u);
+    } else {
+        const ChildResult refused = run_in(folder, {"render", "paper/corner", "-o", "f.exr"});
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_NE(refused.err.find("libopenexr-dev"), std::string::npos) << refused.err;
+    }
+    EXPECT_EQ(folder.files().size(), exr ? 2u : 1u);
 }
 
 TEST(Render, AFilmWithoutFfmpegFailsAndSaysWhatToInstall) {

@@ -131,5 +131,33 @@ TEST(Camera, ZoomDividesTheDistanceWithinBounds) {
     EXPECT_LE(p.distance, 20.0);
 }
 
+TEST(Camera, NamedViewsLookAtTheTargetFromWhereTheySay) {
+    for (const char* name : {"front", "three_quarter", "side", "back", "top", "low", "close"}) {
+        const CameraView* view = find_camera_view(name);
+        ASSERT_NE(view, nullptr) << name;
+        CameraParams p = straight();
+        look_from(p, *view);
+        EXPECT_NEAR(seen(p, target_of(p)).x(), kWidth / 2, 1e-2);
+        EXPECT_NE(camera_view_names().find(name), std::string::npos);
+    }
+    CameraParams top = straight(), close = straight();
+    look_from(top, *find_camera_view("top"));
+    look_from(close, *find_camera_view("close"));
+    EXPECT_GT(make_camera(top, 1, 1).eye.y(), 0.9f);
+    EXPECT_LT(close.distance, 0.5 * straight().distance);
+    EXPECT_EQ(find_camera_view("nowhere"), nullptr);
+}
+
+TEST(Camera, SeesASphereThatReachesIntoThePicture) {
+    const CameraParams p = straight();
+    const Camera camera = make_camera(p, kWidth, kHeight);
+    const Vector3f target = target_of(p);
+    EXPECT_TRUE(sees(camera, target, 0.01f));
+    EXPECT_FALSE(sees(camera, target + Vector3f(1, 0, 0), 0.1f));
+    EXPECT_TRUE(sees(camera, target + Vector3f(1, 0, 0), 0.9f));
+    EXPECT_FALSE(sees(camera, target + Vector3f(0, 0, 2), 0.1f)) << "behind";
+    EXPECT_FALSE(sees(camera, target + Vector3f(0, -0.5f, 0), 0.1f));
+}
+
 }  // namespace
 }  // namespace ember

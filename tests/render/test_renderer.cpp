@@ -38,7 +38,8 @@ TEST(Passes, APassWithNothingToDrawIsNotRun) {
     EXPECT_EQ(rig.renderer.counters().sheets, 1);
     EXPECT_EQ(rig.renderer.counters().fire, 0) << "no particles";
 
-    staged.add_particle({0, 0.3, 0}, test::kFlame);
+    for (int i = 0; i < 40; ++i)
+        staged.add_particle({0, 0.3, 0}, test::kFlame);
     (void)rig.draw(staged.view(), in_mode(ViewMode::Beauty, false));
     (void)rig.draw(staged.view(), in_mode(ViewMode::State));
     EXPECT_EQ(rig.renderer.counters().fire, 0) << "flames off, or no picture";
@@ -54,6 +55,51 @@ TEST(Passes, APassWithNothingToDrawIsNotRun) {
     (void)rig.draw(staged.view(), in_mode(ViewMode::Beauty));
     EXPECT_EQ(rig.renderer.counters().sheets, sheets) << "no quads";
     EXPECT_EQ(rig.renderer.counters().frames, 6);
+}
+
+TEST(Passes, ColdPaperDoesNotBloomAndPaperOutsideThePictureIsNotDrawn) {
+    GlRig rig;
+    StagedWorld staged = test::hanging_sheet(4, 6);
+    (void)rig.draw(staged.view(), {});
+    EXPECT_EQ(rig.renderer.counters().bloom, 0);
+    staged.temperature[3] = 1000;
+    (void)rig.draw(staged.view(), {});
+    EXPECT_EQ(rig.renderer.counters().bloom, 1);
+    RenderParams away;
+    away.camera.target_x = 8;
+    const int sheets = rig.renderer.counters().sheets;
+    for (int i = 0; i < 40; ++i)
+        staged.add_particle({0, 0.3, 0}, test::kFlame);
+    (void)rig.draw(staged.view(), away);
+    EXPECT_EQ(rig.renderer.counters().sheets, sheets);
+    EXPECT_EQ(rig.renderer.counters().fire, 0);
+}
+
+TEST(Passes, EachTellsTheObserverWhenItIsDone) {
+    GlRig rig;
+    const StagedWorld staged = test::burning_sheet(8, 12, 300);
+    std::vector<std::string> passes;
+    rig.renderer.observe_passes([&](std::string_view pass) { passes.emplace_back(pass); });
+    (void)rig.draw(staged.view(), {});
+    EXPECT_EQ(passes, (std::vector<std::string>{"shadow", "sheets", "ground", "backdrop", "resolve",
+                                                "fire", "bloom", "film"}));
+    rig.renderer.observe_passes({});
+    (void)rig.draw(staged.view(), {});
+    EXPECT_EQ(passes.size(), 8u);
+}
+
+TEST(Renderer, PreviewKeepsTheLook) {
+    GlRig rig;
+    const StagedWorld staged = test::burning_sheet(16, 24, 400);
+    RenderParams params;
+    const Image full = rig.draw(staged.view(), params);
+    params.look.quality = Quality::Preview;
+    const Image preview = rig.draw(staged.view(), params);
+    double difference = 0;
+    for (std::size_t i = 0; i < full.rgba.size(); ++i)
+        difference += std::abs(full.rgba[i] - preview.rgba[i]);
+    EXPECT_GT(difference, 0);
+    EXPECT_LT(difference / static_cast<double>(full.rgba.size()), 3.0) << "of 255, on average";
 }
 
 TEST(Renderer, DrawsTheSameBitsAgainAndInANewContext) {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "render/assets.h"
 #include "render/shader_library.h"
@@ -50,6 +52,31 @@ TEST(ShaderLibrary, AMissingFileIsNamed) {
     } catch (const RenderError& e) {
         EXPECT_NE(std::string(e.what()).find("no_such."), std::string::npos) << e.what();
     }
+}
+
+TEST(ShaderLibrary, ABadShaderInAFolderNamesItsLineAndTheLastGoodOnesGoOnRunning) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / "emberleaf_shaders";
+    fs::create_directories(folder);
+    const auto write = [&](const char* text) { std::ofstream(folder / "backdrop.frag") << text; };
+    test::GlRig rig;
+    const test::StagedWorld staged = test::hanging_sheet(4, 6);
+    const Image before = rig.draw(staged.view(), {});
+    write("out vec4 o_colour;\n\nvoid main() {\n    o_colour = vec4(nonsense);\n}\n");
+    try {
+        rig.renderer.reload(folder);
+        ADD_FAILURE() << "compiled";
+    } catch (const RenderError& e) {
+        EXPECT_EQ(std::string(e.what()).find("backdrop.frag:4: "), 0u) << e.what();
+    }
+    EXPECT_EQ(rig.draw(staged.view(), {}).rgba, before.rgba);
+    write("out vec4 o_colour;\nvoid main() { o_colour = vec4(0.0, 0.5, 0.0, 1.0); }\n");
+    rig.renderer.reload(folder);
+    EXPECT_NE(rig.draw(staged.view(), {}).rgba, before.rgba);
+    fs::remove_all(folder);
+    EXPECT_THROW(rig.renderer.reload(folder), RenderError) << "nothing there";
+    rig.renderer.reload({});
+    EXPECT_EQ(rig.draw(staged.view(), {}).rgba, before.rgba);
 }
 
 TEST(Assets, EveryShaderOpensBySayingWhatGoesInAndWhatComesOut) {

@@ -1,6 +1,8 @@
 // A renderer on the pinned software rasteriser.
 #pragma once
 
+#include <glad/gl.h>
+
 #include "render/offscreen_context.h"
 #include "render/renderer.h"
 #include "support/staged_world.h"
@@ -18,7 +20,11 @@ struct GlRig {
 
     [[nodiscard]] Image draw(const WorldView& world, const RenderParams& params, int width = 320,
                              int height = 180) {
-        return renderer.draw_image({&world, {}}, params, width, height);
+        Image image = renderer.draw_image({&world, {}}, params, width, height);
+        if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+            throw RenderError("OpenGL error " + std::to_string(error) + " in a frame");
+        }
+        return image;
     }
 };
 
