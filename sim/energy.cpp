@@ -101,14 +101,15 @@ MechanicalEnergy sheet_energy(const Lattice& lattice, const WorldParams& world,
 double unaccounted_energy(const EnergyLedger& e, double& scale) {
     const double now = e.kinetic + e.elastic + e.gravitational;
     const double changes = e.work_fire + e.work_wind + e.change_scheme + e.work_contact +
-                           e.change_mass + e.change_rest_length + e.change_topology + e.change_edit;
+                           e.change_mass + e.change_rest_length + e.change_curvature +
+                           e.change_topology + e.change_edit;
     const double losses = e.loss_damping + e.loss_drag + e.loss_sleep;
     // potential energy counts by its change, as its zero is arbitrary
     const double fallen = e.gravitational + e.elastic + e.kinetic - e.initial;
     scale = 0.0;
-    for (const double term :
-         {e.kinetic, e.elastic, fallen, e.work_fire, e.work_wind, losses, e.work_contact,
-          e.change_mass, e.change_rest_length, e.change_topology, e.change_edit}) {
+    for (const double term : {e.kinetic, e.elastic, fallen, e.work_fire, e.work_wind, losses,
+                              e.work_contact, e.change_mass, e.change_rest_length,
+                              e.change_curvature, e.change_topology, e.change_edit}) {
         scale = std::max(scale, std::abs(term));
     }
     return now - (e.initial + changes - losses);
@@ -122,8 +123,9 @@ constexpr double kSmallest = 1e-12;  // [J] of rounding
 double put_in(const EnergyLedger& e) {
     double sum = std::abs(e.initial - e.initial_gravitational);
     sum += std::max(0.0, e.initial_gravitational - e.gravitational);
-    for (const double change : {e.work_fire, e.work_wind, e.work_contact, e.change_mass,
-                                e.change_rest_length, e.change_topology, e.change_edit}) {
+    for (const double change :
+         {e.work_fire, e.work_wind, e.work_contact, e.change_mass, e.change_rest_length,
+          e.change_curvature, e.change_topology, e.change_edit}) {
         sum += std::abs(change);
     }
     return sum;

@@ -59,6 +59,20 @@ void heat_nodes(const Coupling& c, const NodePatch& patch, const PatchSums& sums
     }
 }
 
+// From where nodes are heated; zero for those that are not.
+void direct_nodes(const Coupling& c, const NodePatch& patch, const ParticleRun* runs,
+                  std::size_t count, double inverse_r2, const PatchSums& sums) {
+    PatchDirections from;
+    add_directions(c.scratch.grid, patch, runs, count, inverse_r2, from);
+    Vector3Array& direction = c.received[patch.sheet].direction;
+    for (std::size_t l = 0; l < kLanes; ++l) {
+        if (patch.node[l] == kNone || !(sums.heating[l] > 0)) continue;
+        const double scale = 1.0 / (sums.heating[l] * c.params.fire.kernel_radius);
+        direction.set(static_cast<std::size_t>(patch.node[l]),
+                      scale * Vector3(from.x[l], from.y[l], from.z[l]));
+    }
+}
+
 // All patches of one block. What particles give to the nodes of a block is summed up apart, so
 // that the order of additions does not depend on who does which block.
 void couple_block(const Coupling& c, Index block) {
@@ -88,6 +102,8 @@ void couple_block(const Coupling& c, Index block) {
         add_patch(s.grid, *patch, runs, count, inverse_r2, absorbed, sums);
         heat_nodes(c, *patch, sums);
         push_nodes(c, *patch, sums);
+        if (!c.sheets[patch->sheet].faces.heat.empty())
+            direct_nodes(c, *patch, runs, count, inverse_r2, sums);
     }
 }
 
@@ -159,6 +175,10 @@ void couple_fire(const Params& params, double time, double dt,
         received[s].force.x.assign(nodes, 0.0);
         received[s].force.y.assign(nodes, 0.0);
         received[s].force.z.assign(nodes, 0.0);
+        const std::size_t directed = sheets[s].faces.heat.empty() ? 0 : nodes;
+        for (auto* axis :
+             {&received[s].direction.x, &received[s].direction.y, &received[s].direction.z})
+            axis->assign(directed, 0.0);
     }
     if (fire.size() == 0 || !(params.fire.temperature > params.heat.ambient)) return;
     const bool all = !params.numerics.skip;

@@ -23,6 +23,9 @@ namespace ember {
 struct NodeFire {
     std::vector<double> heating;  ///< [K/s], N
     Vector3Array force;           ///< [N], N
+    /// [1] mean distance of what heats a node, over the radius of the kernel, 3×N. Empty unless the
+    /// sheet curls, which asks from which side it is heated.
+    Vector3Array direction;
 };
 
 /// Scratch.

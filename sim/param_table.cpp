@@ -287,6 +287,26 @@ constexpr ParamInfo kRows[] = {
         "plate.clamped", Rebuild,
         {"Held borders keep their slope as in a clip; off: they turn freely, as on a line of pins.",
          "Our choice"}),
+    // ---- curl --------------------------------------------------------------------------------
+    real<&P::curl, &CurlParams::heat>(
+        "curl.heat", "", unit::per_kelvin, {-0.01, 0.01}, {0, 2e-4}, Linear, Rebuild,
+        {"Strain per kelvin by which the hotter half of the caliper shrinks, since it dries: paper "
+         "curls towards the fire. Below 0 it curls away. Needs plate.youngs_main.",
+         "Our choice"}),
+    real<&P::curl, &CurlParams::charring>(
+        "curl.charring", "", unit::percent, {-100, 100}, {0, 5}, Linear, Rebuild,
+        {"Strain by which a half that has charred alone has shrunk; it stays. Needs "
+         "plate.youngs_main.",
+         "Our choice"}),
+    real<&P::curl, &CurlParams::cross_ratio>(
+        "curl.cross_ratio", "", unit::one, {0, 20}, {1, 3}, Linear, Rebuild,
+        {"How much more paper shrinks in the cross direction than along its fibres.",
+         "Our choice"}),
+    real<&P::curl, &CurlParams::set>(
+        "curl.set", "", unit::one, {0, 100}, {0, 5}, Linear, Rebuild,
+        {"Plastic set: charring paper takes its curvature for the one at rest, all but e^-set of "
+         "the difference. Needs plate.youngs_main.",
+         "Our choice"}),
     // ---- world -------------------------------------------------------------------------------
     real<&P::world, &WorldParams::gravity>("world.gravity", "g", unit::metre_per_second_squared,
                                            {0, 1000}, {0, 9.81}, Linear, Live,
@@ -552,6 +572,7 @@ static_assert(row_count(kRows, "paper") == field_count<PaperParams>, "every fiel
 static_assert(row_count(kRows, "sheet") == field_count<SheetParams>, "every field needs a row");
 static_assert(row_count(kRows, "springs") == field_count<SpringParams>, "every field needs a row");
 static_assert(row_count(kRows, "plate") == field_count<PlateParams>, "every field needs a row");
+static_assert(row_count(kRows, "curl") == field_count<CurlParams>, "every field needs a row");
 static_assert(row_count(kRows, "world") == field_count<WorldParams>, "every field needs a row");
 static_assert(row_count(kRows, "wind") == field_count<WindParams>, "every field needs a row");
 static_assert(row_count(kRows, "contact") == field_count<ContactParams>, "every field needs a row");
@@ -565,7 +586,7 @@ static_assert(row_count(kRows, "fracture") == field_count<FractureParams>,
               "every field needs a row");
 static_assert(row_count(kRows, "numerics") == field_count<NumericsParams>,
               "every field needs a row");
-static_assert(field_count<Params> == 13 + 4, "every group needs rows and an assertion above");
+static_assert(field_count<Params> == 14 + 4, "every group needs rows and an assertion above");
 
 }  // namespace
 

@@ -96,6 +96,16 @@ struct PlateParams {
     bool clamped = true;          // held borders keep their slope
 };
 
+/// Curl of a sheet that has flexural rigidity (curl.h).
+struct CurlParams {
+    double heat = 0.0;         // [1/K] strain by which the hotter half shrinks
+    double charring = 0.0;     // [1] the same of the half that has charred alone
+    double cross_ratio = 2.0;  // [1] of the strains across and along the main direction
+    double set = 0.0;          // [1] how much of its curvature charring paper keeps
+
+    [[nodiscard]] bool any() const { return heat != 0 || charring != 0 || set != 0; }
+};
+
 /// What pulls and drags at the sheet from outside.
 struct WorldParams {
     double gravity = 9.81;              // [m/s^2] downwards
@@ -241,6 +251,7 @@ struct Params {
     SheetParams sheet;
     SpringParams springs;
     PlateParams plate;
+    CurlParams curl;
     WorldParams world;
     WindParams wind;
     ContactParams contact;

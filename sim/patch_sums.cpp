@@ -52,7 +52,48 @@ EMBER_LANES_ENTRY(add_runs,
                    std::size_t count, double inverse_r2, double* absorbed, PatchSums& sums),
                   visit<kWidth>(grid, patch, runs, count, inverse_r2, absorbed, sums))
 
+template <std::size_t kWidth>
+EMBER_LANES_INLINE void visit_directions(const ParticleGrid& grid, const NodePatch& patch,
+                                         const ParticleRun* runs, std::size_t count,
+                                         double inverse_r2, PatchDirections& sums) {
+    using L = Lanes<kWidth>;
+    L x, y, z, sx, sy, sz;
+    x.load(patch.x.data()), y.load(patch.y.data()), z.load(patch.z.data());
+    sx.clear(), sy.clear(), sz.clear();
+    for (std::size_t r = 0; r < count; ++r) {
+        for (auto i = static_cast<std::size_t>(runs[r].begin),
+                  end = static_cast<std::size_t>(runs[r].end);
+             i < end; ++i) {
+#pragma GCC unroll 4
+            for (std::size_t k = 0; k < L::kParts; ++k) {
+                const auto dx = grid.x[i] - x.part[k], dy = grid.y[i] - y.part[k],
+                           dz = grid.z[i] - z.part[k];
+                const auto q = 1.0 - (dx * dx + dy * dy + dz * dz) * inverse_r2;
+                // max(q, 0), as above
+                const auto size =
+                    (typename L::Part)((typename L::Bits)q & std::int64_t{0x7FFFFFFFFFFFFFFF});
+                const auto inside = 0.5 * (q + size);
+                const auto heat = grid.heating[i] * inside * inside;
+                sx.part[k] += heat * dx;
+                sy.part[k] += heat * dy;
+                sz.part[k] += heat * dz;
+            }
+        }
+    }
+    sx.store(sums.x.data()), sy.store(sums.y.data()), sz.store(sums.z.data());
+}
+
+EMBER_LANES_ENTRY(direct_runs,
+                  (const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+                   std::size_t count, double inverse_r2, PatchDirections& sums),
+                  visit_directions<kWidth>(grid, patch, runs, count, inverse_r2, sums))
+
 }  // namespace
+
+void add_directions(const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+                    std::size_t count, double inverse_r2, PatchDirections& sums) {
+    direct_runs(grid, patch, runs, count, inverse_r2, sums);
+}
 
 void add_patch(const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
                std::size_t count, double inverse_r2, double* absorbed, PatchSums& sums) {

@@ -117,10 +117,15 @@ SheetState make_sheet(const SheetPlan& plan, const Lattice& lattice, const Param
             state.quads[static_cast<std::size_t>(cell)][static_cast<std::size_t>(sector)] = site;
         }
     }
-    if (flexural_rigidity(params.paper, params.plate).any() && lattice.closed) {
+    const bool stiff = flexural_rigidity(params.paper, params.plate).any();
+    if (stiff && (lattice.closed || params.curl.any())) {
         state.rest_curvature.main.assign(n, 0.0);
         state.rest_curvature.cross.assign(n, built_curvature(lattice));
         state.rest_curvature.twist.assign(n, 0.0);
+    }
+    if (stiff && params.curl.any()) {
+        for (auto* array : {&state.faces.heat, &state.faces.charred, &state.faces.progress})
+            array->assign(n, 0.0);
     }
     state.piece_held.assign(n, 0);
     for (Index site = 0; site < lattice.site_count() && !plan.paper.empty(); ++site)

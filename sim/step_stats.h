@@ -71,6 +71,7 @@ struct StepCounters {
     std::int64_t contacts = 0;         ///< solved for, in all intervals
     std::int64_t contact_sweeps = 0;
     std::int64_t springs_shrunk = 0;
+    std::int64_t curl_visited = 0;  ///< sites whose faces differ, or that char
     std::int64_t cuts = 0, nodes_added = 0;
 };
 
@@ -89,6 +90,7 @@ void for_each_counter(Counters& c, Visitor&& visit) {
     visit("nodes_burnt_out", c.nodes_burnt_out), visit("springs_shrunk", c.springs_shrunk);
     visit("burning_visited", c.burning_visited), visit("contact_visited", c.contact_visited);
     visit("shrinkage_visited", c.shrinkage_visited);
+    visit("curl_visited", c.curl_visited);
     visit("fracture_visited", c.fracture_visited);
     visit("cuts", c.cuts), visit("nodes_added", c.nodes_added);
     visit("contact_pairs", c.contact_pairs), visit("contacts", c.contacts);

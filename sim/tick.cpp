@@ -114,6 +114,19 @@ void run_shrinkage(const Tick& t, StepCounters& counters) {
     if (counters.springs_shrunk > 0) t.state.energy.change_rest_length += energy_change(t);
 }
 
+// Faces that differ bend the sheet, and charring keeps it bent.
+void run_curl(const Tick& t, StepCounters& counters) {
+    const StageScope scope(t.observer, Stage::Shrinkage);
+    bool changed = false;
+    for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
+        SheetWorkspace& w = t.work.sheets[s];
+        changed |=
+            advance_curl(w.lattice, w.plate, t.params, t.work.fire[s],
+                         t.dt * t.params.burning.burn_speed, t.state.sheets[s], w.curl, counters);
+    }
+    if (changed) t.state.energy.change_curvature += energy_change(t);
+}
+
 void run_fracture(const Tick& t, StepCounters& counters) {
     const StageScope scope(t.observer, Stage::Fracture);
     for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
@@ -147,6 +160,7 @@ StepReport run_tick(const Tick& t) {
     run_heat(t, report);         // Sec. 4.2, eqs. 2 and 3: heat spreads
     run_burning(t, counters);    // Sec. 4.2: unburnt, burning, burnt out
     run_shrinkage(t, counters);  // Sec. 4.3, eq. 4: burning fibres shrink
+    run_curl(t, counters);       // faces that differ bend the sheet
     run_fracture(t, counters);   // Sec. 4.4: burnt fibres break
 
     ++t.state.tick;

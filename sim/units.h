@@ -46,6 +46,7 @@ inline constexpr Unit joule_per_kilogram_kelvin{"J/(kg K)", "specific heat"};
 inline constexpr Unit kilojoule_per_kilogram_kelvin{"kJ/(kg K)", "specific heat", 1e3};
 inline constexpr Unit watt_per_metre_kelvin{"W/(m K)", "conductivity"};
 inline constexpr Unit watt_per_square_metre_kelvin{"W/(m^2 K)", "heat transfer"};
+inline constexpr Unit per_kelvin{"1/K", "expansion"};
 inline constexpr Unit gigapascal{"GPa", "stress", 1e9};
 inline constexpr Unit megapascal{"MPa", "stress", 1e6};
 inline constexpr Unit newton_millimetre{"N mm", "flexural rigidity", 1e-3};
@@ -84,6 +85,7 @@ inline constexpr Unit kUnits[] = {unit::one,
                                   unit::kilojoule_per_kilogram_kelvin,
                                   unit::watt_per_metre_kelvin,
                                   unit::watt_per_square_metre_kelvin,
+                                  unit::per_kelvin,
                                   unit::gigapascal,
                                   unit::megapascal,
                                   unit::newton_millimetre,

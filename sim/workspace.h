@@ -5,6 +5,7 @@
 
 #include "sim/active_nodes.h"
 #include "sim/contact.h"
+#include "sim/curl.h"
 #include "sim/energy.h"
 #include "sim/fire_coupling.h"
 #include "sim/heat.h"
@@ -25,6 +26,7 @@ struct SheetWorkspace {
     SpringNetwork network;  ///< follows the sheet's topology and masses
     Plate plate;            ///< likewise; empty without rigidity
     PlateForces plate_forces;
+    CurlScratch curl;
     NodeLoads loads;
     AwakeRows awake;                     ///< rows that are moved in this tick
     StepControl control;                 ///< how the tick is divided

@@ -24,6 +24,13 @@ struct CrackPaths {
     std::vector<Index> tips;                   ///< sites, in the order in which they were reached
 };
 
+/// How the two faces of a sheet that curls differ (curl.h); S each, or empty.
+struct FaceDifference {
+    std::vector<double> heat;      ///< [K] by how much the half towards the normal is hotter
+    std::vector<double> charred;   ///< [1] by how much it is charred more
+    std::vector<double> progress;  ///< [1] share of its burning that a node has behind it
+};
+
 /// What evolves on one sheet. Node n < site count is the first copy of site n; cuts append copies.
 struct SheetState {
     // per node, N
@@ -43,6 +50,7 @@ struct SheetState {
     std::vector<double> relief_until;  ///< [s] no cut at this site before
     RestCurvature rest_curvature;      ///< of a sheet that is a plate
     CrackPaths cracks;
+    FaceDifference faces;  ///< of one that curls
     // per lattice row
     std::vector<Index> quiet_ticks;  ///< ticks that the row has rested, see sleep.h
     // per spring slot, 6×S (see lattice.h)
@@ -89,6 +97,7 @@ struct EnergyLedger {
     double work_contact = 0;                             ///< by contact; < 0: taken away
     double change_mass = 0;                              ///< mass burnt off and springs weakened
     double change_rest_length = 0;                       ///< shrinking
+    double change_curvature = 0;                         ///< of plates at rest: curl, set
     double change_topology = 0;                          ///< cuts
     double change_edit = 0;                              ///< live parameters
 };
@@ -156,6 +165,9 @@ void for_each_field(State& s, Visitor&& visit) {
         if (rest.main.empty()) continue;  // not among the fields of a sheet without
         visit("sheet.rest_curvature", rest.main), visit("sheet.rest_curvature", rest.cross);
         visit("sheet.rest_curvature", rest.twist);
+        visit("sheet.faces", sheet.faces.heat), visit("sheet.faces", sheet.faces.charred);
+        visit("sheet.faces", sheet.faces.progress);
+        visit("energy.change_curvature", s.energy.change_curvature);
     }
     vectors("fire.position", s.fire.position), vectors("fire.velocity", s.fire.velocity);
     visit("fire.temperature", s.fire.temperature), visit("fire.strength", s.fire.strength);
