@@ -108,7 +108,11 @@ void add_elements_of(const Lattice& lattice, const SheetState& sheet, Index site
 // on the line.
 void add_clamps_of(const Lattice& lattice, const SheetState& sheet, Index site, Plate& plate) {
     for (int direction = 0; direction < 4; ++direction) {
-        if (lattice.neighbour(site, (direction + 2) % 4) != kNone) continue;
+        const int back = (direction + 2) % 4;
+        if (lattice.sector_cell(site, back) != kNone ||
+            lattice.sector_cell(site, (back + 3) % 4) != kNone) {
+            continue;
+        }
         const bool main = direction % 2 == 0;
         const Vector3 step = (direction < 2 ? 1.0 : -1.0) * plate.step[main ? 0 : 1];
         for (const int sector : {direction, (direction + 3) % 4}) {
@@ -190,7 +194,8 @@ void weaken_plate(const Lattice& lattice, const SheetState& sheet, const Params&
     std::vector<double>& left = plate.node_left;
     left.resize(nodes);
     for (std::size_t n = 0; n < nodes; ++n) {
-        const double gone = slope * (1.0 - sheet.mass[n] / sheet.initial_mass[n]);
+        const bool paper = sheet.initial_mass[n] > 0;
+        const double gone = paper ? slope * (1.0 - sheet.mass[n] / sheet.initial_mass[n]) : 0.0;
         left[n] = std::max(0.0, 1.0 - gone);
     }
     plate.left = plate.share;
