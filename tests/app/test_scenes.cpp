@@ -13,9 +13,9 @@ namespace ember {
 namespace {
 
 const std::string kTwo =
-    "schema = 1\n[sheet]\nrows = 8\ncolumns = 12\n"
+    "schema = 1\n[sheet]\nrows = 20\ncolumns = 30\n"
     "[[sheets]]\nname = \"left\"\nx = -200\n"
-    "[[sheets]]\nrows = 9\nx = 0.2\nheld = [\"cross_start\", \"main_end\"]\n"
+    "[[sheets]]\nrows = 21\nx = 0.2\nheld = [\"cross_start\", \"main_end\"]\n"
     "held_points = [[10, 20, 5], [\"3 cm\", 0, 0]]\n"
     "[[lighters]]\n[[lighters]]\nstart = 2\npath = [[0, 1, 2, 3], [1.5, -4, 5.5, 6]]\n";
 
@@ -25,10 +25,10 @@ TEST(Scenes, ListsOfTablesAreSheetsAndLighters) {
     EXPECT_EQ(problems(folder, "p.toml"), "");
     const std::vector<SheetParams> sheets = sheets_of(loaded.values.params);
     ASSERT_EQ(sheets.size(), 2u);
-    EXPECT_EQ(sheets[0].rows, 8);
+    EXPECT_EQ(sheets[0].rows, 20);
     EXPECT_EQ(sheets[0].name, "left");
-    EXPECT_EQ(sheets[1].rows, 9);
-    EXPECT_EQ(sheets[1].columns, 12);
+    EXPECT_EQ(sheets[1].rows, 21);
+    EXPECT_EQ(sheets[1].columns, 30);
     EXPECT_EQ(sheets[1].held, HeldEdge::CrossStart | HeldEdge::MainEnd);
     ASSERT_EQ(sheets[1].held_points.size(), 2u);
     EXPECT_EQ(sheets[1].held_points[0], (std::array<double, 3>{0.010, 0.020, 0.005}));
@@ -57,11 +57,11 @@ TEST(Scenes, OverridesCountFromOne) {
     const std::vector<ParamBinding> bindings = loaded.values.bindings();
     EXPECT_TRUE(apply_override("sheets.2.width=100", bindings).empty());
     EXPECT_TRUE(apply_override("lighters.1.path=[[0, 1, 2, 3]]", bindings).empty());
-    EXPECT_TRUE(apply_override("sheet.columns=10", bindings).empty());
+    EXPECT_TRUE(apply_override("sheet.columns=40", bindings).empty());
     const std::vector<SheetParams> sheets = sheets_of(loaded.values.params);
     EXPECT_EQ(sheets[1].width, 0.1);
     EXPECT_EQ(sheets[0].width, 0.21);
-    EXPECT_EQ(sheets[0].columns, 10) << "what all share reaches all";
+    EXPECT_EQ(sheets[0].columns, 40) << "what all share reaches all";
     EXPECT_EQ(lighters_of(loaded.values.params)[0].path.size(), 1u);
     const auto refused = [&](const std::string& text) {
         return apply_override(text, bindings).at(0).text();
