@@ -90,8 +90,8 @@ TEST(Fire, FlamesBehindTheSheetAreHiddenByIt) {
     RenderParams params;
     const auto brightened = [&](double z) {
         StagedWorld staged = test::hanging_sheet(4, 6);
-        for (int i = 0; i < 40; ++i)
-            staged.add_particle({0.0005 * i, 0.30, z}, test::kFlame);
+        for (int i = 0; i < 160; ++i)  // few of them are drawn as flames
+            staged.add_particle({0.000125 * i, 0.30, z}, test::kFlame);
         return flame_pixels(rig, staged.view()).size();
     };
     EXPECT_GT(brightened(0.05), 100u);
