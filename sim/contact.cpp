@@ -10,6 +10,7 @@ namespace ember {
 namespace {
 
 constexpr double kSlack = 0.1;  // [1] of the thickness, within which contacts are kept ready
+constexpr double kSoft = 0.1;   // [1] of the thickness, by which resting things may give way
 
 std::size_t as_size(Index i) {
     return static_cast<std::size_t>(i);
@@ -80,11 +81,12 @@ Path path_of(const ContactScratch& s, Index sheet, Index node, double interval) 
 }
 
 // Adds the contact of near thing number `source`.
-void add(double gap, double interval, std::size_t source, Contact contact, ContactScratch& s) {
+void add(double gap, double kept, double interval, std::size_t source, Contact contact,
+         ContactScratch& s) {
     double speed = 0.0;
     for (std::size_t k = 0; k < 4; ++k)
         speed += contact.weight[k] * s.start[as_size(contact.body[k])].dot(contact.normal);
-    contact.least = least_speed(gap, speed, interval);
+    contact.least = least_speed(gap, speed, interval, kSoft * kept);
     contact.guess = s.needed[source];
     contact.source = static_cast<Index>(source);
     s.contacts.push_back(contact);
@@ -98,7 +100,7 @@ void touch_ground(const Params& params, double thickness, double interval, Conta
         const double fall = path.from.y() - path.to.y();
         if (gap > kSlack * thickness && !(gap < 2.0 * fall)) continue;
         const Index body = s.body_of[as_size(node.sheet)][as_size(node.node)];
-        add(gap, interval, i,
+        add(gap, thickness, interval, i,
             {.body = {body, body, body, body},
              .weight = {1, 0, 0, 0},
              .normal = Vector3::UnitY(),
@@ -133,7 +135,7 @@ void touch_paper(const Params& params, double thickness, double interval, Contac
                 continue;
             }
             const std::vector<Index>& bodies = s.body_of[as_size(pair.other)];
-            add(touch.gap, interval, s.near.on_ground.size() + i,
+            add(touch.gap, kept, interval, s.near.on_ground.size() + i,
                 {.body = {s.body_of[as_size(pair.sheet)][as_size(pair.node)],
                           bodies[as_size(quad[a])], bodies[as_size(quad[b])],
                           bodies[as_size(quad[c])]},
@@ -161,7 +163,7 @@ void touch_edges(const Params& params, double thickness, double interval, Contac
         }
         const std::vector<Index>&ours = s.body_of[as_size(pair.sheet)],
               &theirs = s.body_of[as_size(pair.other)];
-        add(touch.gap, interval, first + i,
+        add(touch.gap, kept, interval, first + i,
             {.body = {ours[as_size(a)], ours[as_size(b)], theirs[as_size(c)], theirs[as_size(d)]},
              .weight = touch.weight,
              .normal = touch.normal,

@@ -46,11 +46,13 @@ double relax(Contact& c, ContactBodies& bodies) {
 
 }  // namespace
 
-double least_speed(double gap, double speed, double interval) {
-    constexpr double kRecovery = 30.0;        // [1/s]
-    constexpr double kFastestRecovery = 0.1;  // [m/s]
-    if (gap < 0) return std::min(-gap * kRecovery, kFastestRecovery);
-    return std::min(0.0, -(gap / interval + 0.5 * speed) / 1.5);
+double least_speed(double gap, double speed, double interval, double soft) {
+    constexpr double kRecovery = 30.0;      // [1/s]
+    constexpr double kFastestSoftly = 0.1;  // [m/s]
+    constexpr double kFastest = 1.0;        // [m/s]
+    if (gap >= 0) return std::min(0.0, -(gap / interval + 0.5 * speed) / 1.5);
+    return std::max(std::min(-gap * kRecovery, kFastestSoftly),
+                    std::min(-(gap + soft) / interval, kFastest));
 }
 
 int solve_contacts(std::vector<Contact>& contacts, ContactBodies& bodies) {

@@ -6,7 +6,9 @@
 //     g >= 0:  u >= min(0, -(g/h + u0/2) / 1.5)   leaves a gap from which the next interval can
 //                                                 brake as gently: the approach dies out, and
 //                                                 nothing bounces
-//     g < 0:   u >= min(-g · 30/s, 0.1 m/s)       comes out slowly, so that nothing pops up
+//     g < 0:   u >= min(-g · 30/s, 0.1 m/s)       comes out slowly, so that nothing pops up,
+//              but what is deeper than a soft depth s, pressed in by springs say, at once:
+//              u >= min(-(g + s)/h, 1 m/s)
 //
 // Impulses are found by projected Gauss-Seidel sweeps, forwards and backwards: normal ones never
 // pull, tangential ones stop the sliding as far as μ times the normal one can (Moreau 1988;
@@ -44,8 +46,9 @@ struct Contact {
     [[nodiscard]] Vector3 impulse() const { return pressed * normal + rubbed; }
 };
 
-/// The velocity to ask for after `interval` [s], for a gap [m] that changes by `speed` [m/s] now.
-[[nodiscard]] double least_speed(double gap, double speed, double interval);
+/// The velocity to ask for after `interval` [s], for a gap [m] that changes by `speed` [m/s] now,
+/// with the depth `soft` [m].
+[[nodiscard]] double least_speed(double gap, double speed, double interval, double soft);
 
 /// Sweeps until impulses settle, at most kMostSweeps times; the order of contacts is that of the
 /// list. Impulses begin with what Contact::guess has of them that pushes and rubs no more than it
