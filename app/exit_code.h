@@ -7,8 +7,8 @@
 namespace ember {
 
 inline constexpr int kOk = 0;
-inline constexpr int kRunFailed = 1;  ///< I/O, GL, numerics
-inline constexpr int kBadInput = 2;   ///< usage or preset
+inline constexpr int kRunFailed = 1;         ///< I/O, GL, numerics
+inline constexpr int kBadInput = 2;          ///< usage or preset
 inline constexpr int kComparisonFailed = 3;  ///< what was measured is not as required
 
 /// Ends the program with kBadInput; the message is complete, one problem per line.

@@ -35,8 +35,7 @@ TEST(CommandLine, HelpAndVersionSucceed) {
 }
 
 TEST(CommandLine, FlagsThatDoNotExistAreRefusedNotIgnored) {
-    for (const char* flag :
-         {"--skip-existing", "--save", "--resume", "--frame", "--nonsense"}) {
+    for (const char* flag : {"--skip-existing", "--save", "--resume", "--frame", "--nonsense"}) {
         expect_refused({"render", "paper/corner", "-o", "x.png", flag}, flag);
     }
     expect_refused({"simulate", "paper/corner", "--seconds", "1", "--save", "x"}, "--save");

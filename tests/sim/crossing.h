@@ -67,11 +67,11 @@ inline int count_crossings(const WorldState& state) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::size_t next = (k + 1) % 3;
                 if (shares(triangles[i][k]) || shares(triangles[i][next])) continue;
-                crossings += passes_through(places[i].corner[k], places[i].corner[next],
-                                            places[j].corner[0], places[j].corner[1],
-                                            places[j].corner[2])
-                                 ? 1
-                                 : 0;
+                crossings +=
+                    passes_through(places[i].corner[k], places[i].corner[next], places[j].corner[0],
+                                   places[j].corner[1], places[j].corner[2])
+                        ? 1
+                        : 0;
             }
         }
     }
