@@ -91,10 +91,7 @@ TEST(Corner, WhatHasFallenLiesOnTheGroundAndDoesNotTurnToPowder) {
     std::printf("cuts at 20 s: %d, nodes on the ground: %d, %d sunk, lowest %.3f mm\n",
                 static_cast<int>(burn.world.state().totals.cuts), fallen, sunk, 1e3 * lowest);
     EXPECT_GT(fallen, 500);
-    // it keeps half a thickness off the ground; where it lies crumpled, its own springs may press a
-    // node in by as much and a little more
-    EXPECT_LT(sunk, 10);
-    EXPECT_GT(lowest, -0.00025);
+    EXPECT_GT(lowest, 0.0);
     EXPECT_LT(burn.world.state().totals.cuts, 900);
 }
 
