@@ -12,8 +12,10 @@ namespace {
 constexpr int kTongueRows = 4;  // of the flipbook, textures/make_flames.cpp
 constexpr double kFrames = 16;  // in a row
 constexpr float kSoftRow = 4;   // its first cell is a spot, the others are smoke
-constexpr double kBaseShare = 0.08, kSmokeShare = 0.030, kSparkShare = 0.002;
+constexpr double kBaseShare = 0.06, kSmokeShare = 0.030, kSparkShare = 0.002;
 constexpr double kBaseLife = 0.17;  // [s] gas just above the paper
+// Of more particles than this no more are drawn: they would only blur each other, and cost as much.
+constexpr double kCrowd = 4000;
 constexpr double kWidestView =
     0.6;  // [1] a sprite fills at most this share of the picture's height
 
@@ -51,7 +53,7 @@ FireSprite tongue(const Flying& p, const FireLook& look) {
                         0.5 * p.velocity.z())
             .normalized();
     const double glows = smooth(0.03, 0.18, p.heat);
-    const double fade = glows * smooth(0.0, 0.10, p.life) * (1.0 - smooth(0.70, 1.0, p.life));
+    const double fade = glows * smooth(0.0, 0.35, p.life) * (1.0 - smooth(0.70, 1.0, p.life));
     FireSprite s;
     s.tail = (p.at - 0.80 * reach * axis).cast<float>();
     s.head = (p.at + 0.45 * reach * axis).cast<float>();
@@ -59,9 +61,10 @@ FireSprite tongue(const Flying& p, const FireLook& look) {
     s.row = static_cast<float>(std::min(kTongueRows - 1, static_cast<int>(kind * kTongueRows)));
     s.frame = static_cast<float>((kFrames - 1.01) * p.life);
     s.mirror = random_of(p.id, 4) < 0.5 ? -1.0f : 1.0f;
-    s.heat = static_cast<float>(0.25 + 0.75 * p.heat);
+    s.heat = static_cast<float>(0.35 + 0.65 * p.heat);
     s.flame = static_cast<float>(fade);
-    s.blue = static_cast<float>(fade * (1.0 - smooth(0.10, 0.35, p.life)));
+    s.blue = static_cast<float>(0.8 * glows * smooth(0.0, 0.06, p.life) *
+                                (1.0 - smooth(0.10, 0.40, p.life)));
     s.smoke = 0;
     return s;
 }
@@ -86,7 +89,8 @@ FireSprite base(const Flying& p, const FireLook& look) {
     FireSprite s = soft_spot(p, look.size * (0.16 + 0.20 * random_of(p.id, 1)), 2.2);
     const double fade = smooth(0.03, 0.18, p.heat) * smooth(0.0, 0.02, p.age) *
                         (1.0 - smooth(0.05, kBaseLife, p.age));
-    s.flame = static_cast<float>(0.38 * fade);
+    s.flame = static_cast<float>(0.10 * fade);
+    s.blue = static_cast<float>(0.6 * fade);
     return s;
 }
 
@@ -139,19 +143,40 @@ void limit_size(FireSprite& s, const Camera& camera) {
     s.head = middle + half;
 }
 
-}  // namespace
+// A part, and where in that part's share a particle is, 0 .. 1.
+struct Role {
+    FirePart part;
+    double rank;
+};
 
-FirePart fire_part(std::uint64_t id, const FireLook& look) {
+Role role_of(std::uint64_t id, const FireLook& look) {
     double at = random_of(id, 0);
     const std::pair<FirePart, double> parts[] = {{FirePart::Tongue, look.share},
                                                  {FirePart::Base, kBaseShare},
                                                  {FirePart::Smoke, kSmokeShare},
                                                  {FirePart::Spark, kSparkShare * look.sparks}};
     for (const auto& [part, share] : parts) {
-        if (at < share) return part;
+        if (at < share) return {part, at / share};
         at -= share;
     }
-    return FirePart::None;
+    return {FirePart::None, 0};
+}
+
+// How much of a particle is drawn where there are so many: of a crowd those of low rank, the last
+// of them faintly, so that none comes or goes at once when the crowd changes.
+float drawn_share(const Role& role, std::size_t particles) {
+    const double keep = kCrowd / std::max(1.0, static_cast<double>(particles));
+    return static_cast<float>(1.0 - smooth(keep, 1.4 * keep, role.rank));
+}
+
+}  // namespace
+
+FirePart fire_part(std::uint64_t id, const FireLook& look) {
+    return role_of(id, look).part;
+}
+
+double fire_rank(std::uint64_t id, const FireLook& look) {
+    return role_of(id, look).rank;
 }
 
 FireSprites gather_fire_sprites(const WorldView& world, const FireLook& look,
@@ -159,14 +184,19 @@ FireSprites gather_fire_sprites(const WorldView& world, const FireLook& look,
     FireSprites out;
     std::vector<FireSprite> sparks;
     const ParticleView& v = world.particles;
+    float share = 1;  // of a sprite that is drawn
     const auto add = [&](FireSprite sprite, std::vector<FireSprite>& list) {
+        sprite.flame *= share, sprite.blue *= share, sprite.smoke *= share;
         if (!(sprite.flame + sprite.blue + sprite.smoke > 1e-4f) || !seen(sprite, camera)) return;
         limit_size(sprite, camera);
         list.push_back(sprite);
     };
     for (std::size_t i = 0; i < v.x.size(); ++i) {
-        const FirePart part = fire_part(v.id[i], look);
-        if (part == FirePart::None) continue;
+        const Role role = role_of(v.id[i], look);
+        if (role.part == FirePart::None) continue;
+        const FirePart part = role.part;
+        share = drawn_share(role, v.x.size());
+        if (share <= 0) continue;
         const Flying p{{v.x[i], v.y[i], v.z[i]}, {v.vx[i], v.vy[i], v.vz[i]},
                        world.time - v.birth[i],  particle_life(world, i),
                        particle_heat(world, i),  v.id[i]};

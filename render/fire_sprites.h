@@ -30,7 +30,7 @@ struct FireSprites {
 
 /// How the fire looks.
 struct FireLook {
-    double size = 0.030;   ///< [m] width of a tongue
+    double size = 0.026;   ///< [m] width of a tongue
     double share = 0.055;  ///< [1] of the particles are tongues
     double smoke = 1.0;    ///< [1] opacity of smoke relative to our choice
     double sparks = 1.0;   ///< [1] number of sparks relative to our choice
@@ -38,6 +38,10 @@ struct FireLook {
 
 /// The part that a particle plays: a pure function of its number.
 [[nodiscard]] FirePart fire_part(std::uint64_t id, const FireLook& look);
+
+/// Where among those of its part a particle comes, 0 to 1, as evenly: of a crowd only the first are
+/// drawn.
+[[nodiscard]] double fire_rank(std::uint64_t id, const FireLook& look);
 
 /// All sprites that are at least partly in the picture. Each is a pure function of its particle's
 /// number, age and flight, and fades in and out, so that nothing pops.

@@ -33,7 +33,7 @@ constexpr Stop kScorch[] = {{0.0, 0.0080f, 0.0070f, 0.0060f}, {0.8, 0.0130f, 0.0
                             {32.0, 0.860f, 0.840f, 0.780f}};
 
 constexpr Stop kAsh[] = {
-    {0.0, 0.055f, 0.053f, 0.051f}, {0.5, 0.22f, 0.215f, 0.205f}, {1.0, 0.50f, 0.495f, 0.48f}};
+    {0.0, 0.060f, 0.058f, 0.056f}, {0.5, 0.27f, 0.265f, 0.255f}, {1.0, 0.60f, 0.595f, 0.58f}};
 
 // The line is brightest where air reaches the hot char first, and fades behind.
 constexpr Stop kEmber[] = {{0.0, 0.0f, 0.0f, 0.0f},     {0.12, 1.6f, 0.30f, 0.02f},
@@ -75,8 +75,8 @@ Colour flame_colour(double u) {
     // Soot glows like a black body. Of 1300 to 1900 K daylight film would show red to orange only;
     // eyes in a dark room see yellow, so the scale reaches higher.
     const double x = std::clamp(u, 0.0, 1.0);
-    const double brightness = 1.5 * std::pow(x, 2.4);
-    return static_cast<float>(brightness) * blackbody_colour(1300.0 + 1900.0 * x * x);
+    const double brightness = 3.0 * std::pow(x, 1.8);
+    return static_cast<float>(brightness) * blackbody_colour(1600.0 + 1900.0 * x * x);
 }
 Colour heat_map(double x) {
     return between_stops(kHeat, x);

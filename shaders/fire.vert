@@ -12,6 +12,7 @@ flat out float v_mix;
 flat out vec4 v_amount;
 out float v_up;                         // 0 at the tail, 1 at the head
 out float v_distance;                   // [m] from the camera along its axis
+out float v_height;                     // [m] above the floor
 
 const vec2 kCells = vec2(16.0, 5.0);
 
@@ -31,6 +32,7 @@ void main() {
     gl_Position = u_projection * vec4(place, 1.0);
     v_distance = -place.z;
     v_up = corner.y;
+    v_height = mix(a_tail.y, a_head.y, corner.y);
     v_mix = fract(a_shape.z);
     v_amount = a_amount;
     vec2 in_cell = vec2(0.5 + 0.5 * corner.x * a_shape.w, 1.0 - corner.y);

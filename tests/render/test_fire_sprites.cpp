@@ -118,6 +118,38 @@ TEST(FireSprites, TheSameFireIsTheSameWhateverElseBurns) {
     EXPECT_LE(among.flames, among.sprites.size());
 }
 
+// A staged fire of so many particles that differ in number, place and age.
+StagedWorld crowd(int particles) {
+    StagedWorld staged = test::hanging_sheet(3, 3);
+    for (int i = 0; i < particles; ++i)
+        staged.add_particle({-0.1 + 0.2 * (i % 97) / 97, 0.3 + 0.1 * (i % 53) / 53, 0},
+                            test::kFlame);
+    return staged;
+}
+
+TEST(FireSprites, OfACrowdNoMoreAreDrawnAndNoneComesOrGoesAtOnce) {
+    const auto drawn = [](int particles) {
+        const StagedWorld staged = crowd(particles);
+        return gather_fire_sprites(staged.view(), {}, default_camera());
+    };
+    const double few = static_cast<double>(drawn(2000).sprites.size());
+    const double many = static_cast<double>(drawn(40000).sprites.size());
+    EXPECT_GT(few, 100);
+    EXPECT_LT(many, 3.5 * few) << "rather than 20 times";
+    // one particle more takes little from each of the others
+    const FireSprites before = drawn(9000), after = drawn(9001);
+    std::size_t k = 0;
+    float most = 0;
+    for (const FireSprite& s : before.sprites) {
+        while (k < after.sprites.size() && after.sprites[k].tail != s.tail)
+            ++k;
+        if (k == after.sprites.size()) break;
+        most = std::max(most, std::abs(after.sprites[k].flame - s.flame));
+    }
+    EXPECT_GT(k, before.sprites.size() / 2);
+    EXPECT_LT(most, 0.01f);
+}
+
 TEST(FireSprites, WhatIsOutsideThePictureIsNotDrawn) {
     StagedWorld staged = test::hanging_sheet(3, 3);
     for (int i = 0; i < 400; ++i)
