@@ -162,6 +162,14 @@ FieldGrid make_field_grid(const SheetView& sheet, const WorldView& world) {
 }
 
 SiteFields smooth_fields(const FieldGrid& grid, Index row, Index column, float s, float t) {
+    // into the neighbour where the place lies there
+    const auto enter = [](Index& cell, float& x) {
+        const float over = std::floor(x);
+        cell += static_cast<Index>(over);
+        x -= over;
+    };
+    enter(row, t);
+    enter(column, s);
     const auto weights = [](float x) {
         const float y = 1 - x;
         return std::array<float, 4>{y * y * y / 6, (4 - 6 * x * x + 3 * x * x * x) / 6,

@@ -23,7 +23,7 @@ struct SiteFields {
 /// but has no front near it scorches as if the front were as far away as that warmth means.
 [[nodiscard]] std::vector<SiteFields> site_fields(const SheetView& sheet, const WorldView& world);
 
-inline constexpr Index kFieldBorder = 2;
+inline constexpr Index kFieldBorder = 3;
 
 /// Fields of every site with a border of kFieldBorder sites around them in which they go on
 /// smoothly: around the seam of a tube, straight on elsewhere.
@@ -38,8 +38,9 @@ struct FieldGrid {
 
 [[nodiscard]] FieldGrid make_field_grid(const SheetView& sheet, const WorldView& world);
 
-/// Fields at the place (s, t), each 0 .. 1 along columns and rows, of the cell (row, column): the
-/// uniform cubic B-spline of the sites around. Twice differentiable, so no cell shows.
+/// Fields at the place (s, t) along columns and rows, in cells from the first corner of the cell
+/// (row, column), of which it may lie up to half a cell outside: the uniform cubic B-spline of the
+/// sites around. Twice differentiable, so no cell shows.
 [[nodiscard]] SiteFields smooth_fields(const FieldGrid& grid, Index row, Index column, float s,
                                        float t);
 

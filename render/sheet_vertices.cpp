@@ -147,15 +147,22 @@ int patch_level(std::size_t quads, double pixels) {
 }
 
 void append_vertices(const SheetView& sheet, const WorldView& world, int level,
-                     std::span<const float> quantity, std::vector<SheetVertex>& vertices) {
+                     std::span<const float> quantity, std::vector<SheetVertex>& vertices,
+                     double ragged) {
     const std::vector<Vector3f> normals = node_normals(sheet);
-    const std::vector<Vector3> torn = torn_positions(sheet, torn_edge_shifts(sheet));
+    const auto shifts = edge_shifts(sheet, ragged);
+    const std::vector<Vector3> torn = torn_positions(sheet, shifts);
+    const SiteGrid cells = site_grid(sheet);
     const FieldGrid fields = make_field_grid(sheet, world);
     for (const Quad& quad : sheet.quads) {
         const Corners c = corners_of(quad);
         std::array<Vector3f, 4> places, n;
-        std::array<float, 4> value{};
+        std::array<float, 4> value{}, along{}, across{};  // along and across: shifts [cells]
         for (std::size_t k = 0; k < 4; ++k) {
+            if (!shifts.empty()) {
+                along[k] = static_cast<float>(1e3 * shifts[c[k]][0] / cells.along);
+                across[k] = static_cast<float>(1e3 * shifts[c[k]][1] / cells.across);
+            }
             places[k] = torn.empty() ? place(sheet, c[k]) : Vector3f(torn[c[k]].cast<float>());
             n[k] = normals[c[k]];
             if (!quantity.empty()) value[k] = quantity[c[k]];
@@ -165,7 +172,8 @@ void append_vertices(const SheetView& sheet, const WorldView& world, int level,
         const Index column = sheet.site[c[0]] % sheet.column_count;
         for_patch(level, [&](float s, float t) {
             const Vector3f p = patch.at(s, t), normal = blend(n, s, t).normalized();
-            const SiteFields f = smooth_fields(fields, row, column, s, t);
+            const SiteFields f =
+                smooth_fields(fields, row, column, s + blend(along, s, t), t + blend(across, s, t));
             vertices.push_back({p.x(), p.y(), p.z(), normal.x(), normal.y(), normal.z(), f.charred,
                                 f.burnt, f.age, f.temperature, blend(value, s, t)});
         });
@@ -173,13 +181,13 @@ void append_vertices(const SheetView& sheet, const WorldView& world, int level,
 }
 
 void append_points(const SheetView& sheet, std::size_t number, int level,
-                   std::vector<SheetPoint>& points) {
+                   std::vector<SheetPoint>& points, double ragged) {
     const SiteGrid grid = site_grid(sheet);
     const auto along = static_cast<float>(grid.along), across = static_cast<float>(grid.across);
     const auto height = static_cast<float>(1e3 * sheet.height);
     const auto width = static_cast<float>(1e3 * sheet.width);
     const TornSides torn(sheet);
-    const auto shifts = torn_edge_shifts(sheet);
+    const auto shifts = edge_shifts(sheet, ragged);
     for (std::size_t q = 0; q < sheet.quads.size(); ++q) {
         const Index site = sheet.site[static_cast<std::size_t>(sheet.quads[q][0])];
         const Index site_row = site / sheet.column_count;

@@ -39,11 +39,13 @@ inline constexpr unsigned kTornSide = 1, kTornCorner = 16;
 /// many pixels wide in the picture: pieces smaller than 8 pixels cost more than they show.
 [[nodiscard]] int patch_level(std::size_t quads, double pixels);
 
-/// Appends the patches of `sheet`. `quantity` has one value per node, or is empty.
+/// Appends the patches of `sheet`. `quantity` has one value per node, or is empty. `ragged`: see
+/// edge_shifts(), the same for both.
 void append_vertices(const SheetView& sheet, const WorldView& world, int level,
-                     std::span<const float> quantity, std::vector<SheetVertex>& vertices);
+                     std::span<const float> quantity, std::vector<SheetVertex>& vertices,
+                     double ragged = 0);
 void append_points(const SheetView& sheet, std::size_t number, int level,
-                   std::vector<SheetPoint>& points);
+                   std::vector<SheetPoint>& points, double ragged = 0);
 
 /// Appends the triangles of `quads` patches, as indices offset by `first_vertex`.
 void append_triangles(std::size_t quads, int level, std::uint32_t first_vertex,

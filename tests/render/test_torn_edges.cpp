@@ -124,5 +124,64 @@ TEST(TornEdges, BothLipsOfAClosedCrackCoincide) {
                 std::sqrt(0.09 * kStepX * kStepX + 0.16 * kStepZ * kStepZ), 1e-9);
 }
 
+// A sheet of 17×17 nodes with paper in the cells that `keep` names.
+template <class Keep>
+StagedWorld cut_out(const Keep& keep) {
+    StagedWorld staged = test::hanging_sheet(17, 17);
+    std::erase_if(staged.quads, [&](const Quad& q) { return !keep(q[0] / 17, q[0] % 17); });
+    return staged;
+}
+
+TEST(Outlines, ASheetOfWholeCellsKeepsItsBorder) {
+    const StagedWorld staged = test::hanging_sheet(17, 17);
+    EXPECT_TRUE(outline_shifts(staged.view().sheets[0]).empty());
+    EXPECT_TRUE(edge_shifts(staged.view().sheets[0]).empty());
+}
+
+TEST(Outlines, AStaircaseBecomesTheLineThatItFollows) {
+    // steps of one cell and of three
+    for (const int run : {1, 3}) {
+        const StagedWorld staged =
+            cut_out([&](int row, int column) { return column >= row / run; });
+        const auto shifts = outline_shifts(staged.view().sheets[0]);
+        const double hx = 0.297 / 16, hz = 0.210 / 16;
+        int corners = 0;
+        for (int row = 4; row <= 12; ++row) {
+            // the staircase's sites of this row, and how far the drawn ones are from a line
+            for (const int column : {(row - 1) / run, row / run}) {
+                const auto& shift = shifts[staged.node(row, column)];
+                const double x = column + shift[0] / hx, z = row + shift[1] / hz;
+                const double line = z / run - 0.5;
+                EXPECT_NEAR(x, line, 0.08) << run << ' ' << row << ' ' << column;
+                corners += std::abs(column - (1.0 * row / run - 0.5)) > 0.3;
+            }
+        }
+        EXPECT_GT(corners, 4) << "the staircase itself is no line";
+    }
+}
+
+TEST(Outlines, AHoleKeepsItsSizeAndTheBorderItsPlace) {
+    const StagedWorld staged = cut_out([](int row, int column) {
+        return (row - 8) * (row - 8) + (column - 8) * (column - 8) > 10;
+    });
+    const auto shifts = outline_shifts(staged.view().sheets[0]);
+    const double hx = 0.297 / 16, hz = 0.210 / 16;
+    double outwards = 0;
+    int moved = 0;
+    for (std::size_t n = 0; n < shifts.size(); ++n) {
+        const int row = static_cast<int>(n) / 17, column = static_cast<int>(n) % 17;
+        const double x = shifts[n][0] / hx, z = shifts[n][1] / hz;
+        if (row == 0 || row == 16 || column == 0 || column == 16) {
+            EXPECT_EQ(x * x + z * z, 0.0);
+        }
+        EXPECT_LE(std::max(std::abs(x), std::abs(z)), 0.5);
+        if (x == 0 && z == 0) continue;
+        ++moved;
+        outwards += (x * (column - 8.5) + z * (row - 8.5)) / std::hypot(column - 8.5, row - 8.5);
+    }
+    EXPECT_GT(moved, 12);
+    EXPECT_NEAR(outwards / moved, 0.0, 0.1) << "cells, on average";
+}
+
 }  // namespace
 }  // namespace ember
