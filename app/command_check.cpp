@@ -13,10 +13,13 @@ namespace {
 using Severity = Diagnostic::Severity;
 
 // What can be said only of the parameters together.
-void check_together(const std::string& file, Params& params, PresetResult& result) {
+void check_together(const std::string& file, Params& params, RenderParams& render,
+                    PresetResult& result) {
     std::vector<Diagnostic>& diagnostics = result.diagnostics;
-    const std::vector<Diagnostic> problems = scene_problems(params, result.info);
-    diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
+    for (const auto& problems :
+         {scene_problems(params, result.info), read_prints(render, result.info)}) {
+        diagnostics.insert(diagnostics.end(), problems.begin(), problems.end());
+    }
     for (const std::string& warning : plausibility_warnings(params)) {
         diagnostics.push_back({Severity::Warning, file, 0, 0, "", warning});
     }
@@ -30,7 +33,7 @@ bool check_file(const std::string& name) {
     try {
         const std::filesystem::path path = resolve_preset(name);
         result = load_preset(path, bindings);
-        if (result.ok()) check_together(path.string(), params, result);
+        if (result.ok()) check_together(path.string(), params, render, result);
     } catch (const InputError& e) {
         std::fprintf(stderr, "%s\n", e.what());
         return false;

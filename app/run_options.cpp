@@ -98,8 +98,10 @@ LoadedPreset load_run(const RunOptions& options, const std::vector<Assignment>& 
         result.diagnostics.insert(result.diagnostics.end(), problems.begin(), problems.end());
     }
     if (result.ok()) {
-        const auto problems = scene_problems(loaded.params, result.info);
-        result.diagnostics.insert(result.diagnostics.end(), problems.begin(), problems.end());
+        for (const auto& problems : {scene_problems(loaded.params, result.info),
+                                     read_prints(loaded.render, result.info)}) {
+            result.diagnostics.insert(result.diagnostics.end(), problems.begin(), problems.end());
+        }
     }
     if (!result.ok()) {
         std::erase_if(result.diagnostics, [](const Diagnostic& d) {

@@ -58,11 +58,11 @@ void FilmPass::begin(int width, int height, int samples) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void FilmPass::resolve() {
+void FilmPass::resolve(bool depth) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, multi_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, single_.name());
     glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_,
-                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+                      GL_COLOR_BUFFER_BIT | (depth ? GL_DEPTH_BUFFER_BIT : 0u), GL_NEAREST);
 }
 
 void FilmPass::bind_inputs(const Program& program, const PassInput& in, const FilmInput& film) {
@@ -70,9 +70,11 @@ void FilmPass::bind_inputs(const Program& program, const PassInput& in, const Fi
     bind_texture(0, colour_);
     bind_texture(1, film.fire != nullptr ? *film.fire : colour_);
     bind_texture(2, bloom_);
+    bind_texture(3, film.background != nullptr ? *film.background : colour_);
     program.set("u_scene", 0);
     program.set("u_fire", 1);
     program.set("u_bloom", 2);
+    program.set("u_background", 3);
     program.set("u_has_fire", film.fire != nullptr ? 1 : 0);
     program.set("u_exposure", static_cast<float>(in.params.look.exposure));
     const bool blooms = film.bloom && in.params.look.bloom > 0;

@@ -15,16 +15,19 @@ void set_target(const Framebuffer& framebuffer, const Texture& colour, int width
 }  // namespace
 
 FirePass::FirePass()
-    : ramp_(table_texture(flame_colour, 1.0)), sprites_(load_texture(asset("flame.png"))) {}
+    : ramp_(table_texture(flame_colour, 1.0)), sprites_(load_texture(asset("flame.png"))) {
+    // one level of detail is enough for what is soft, and half the work of two
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+}
 
 bool FirePass::prepare(const PassInput& in) {
     const LookParams& look = in.params.look;
-    const FireSprites fire = gather_fire_sprites(
+    FireSprites fire = gather_fire_sprites(
         *in.frame.world, {look.flame_size, look.flame_share, look.smoke, look.sparks}, in.camera);
     flames_ = static_cast<GLsizei>(fire.flames);
     sparks_ = static_cast<GLsizei>(fire.sprites.size() - fire.flames);
     if (fire.sprites.empty()) return false;
-    upload<FireSprite>(GL_ARRAY_BUFFER, instances_, fire.sprites);
+    if (upload_changed(GL_ARRAY_BUFFER, instances_, fire.sprites, packed_)) ++uploads_;
     return true;
 }
 
@@ -33,6 +36,7 @@ void FirePass::bind_inputs(const Program& program, const PassInput& in, const Te
     program.set("u_view", in.camera.view);
     program.set("u_projection", in.camera.projection);
     program.set("u_brightness", static_cast<float>(in.params.look.flame_brightness));
+    program.set("u_floor", in.frame.world->ground ? 0.0f : -1e9f);
     program.set("u_pixels",
                 Eigen::Vector2f(static_cast<float>(width_), static_cast<float>(height_)));
     bind_texture(0, sprites_);

@@ -3,8 +3,10 @@
 
 #include <glad/gl.h>
 
+#include <cstring>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace ember {
 
@@ -51,6 +53,21 @@ void upload(GLenum target, const Buffer& buffer, std::span<const T> data) {
     glBufferData(target, static_cast<GLsizeiptr>(data.size_bytes()), data.data(), GL_STREAM_DRAW);
 }
 
+/// The same where `fresh` differs from `last`, what the buffer holds, and takes its place; returns
+/// whether it did. Compares bytes: two worlds may agree in every version number.
+template <class T>
+bool upload_changed(GLenum target, const Buffer& buffer, std::vector<T>& fresh,
+                    std::vector<T>& last) {
+    static_assert(sizeof(T) % sizeof(float) == 0, "floats and nothing between them");
+    if (fresh.size() == last.size() &&
+        std::memcmp(fresh.data(), last.data(), fresh.size() * sizeof(T)) == 0) {
+        return false;
+    }
+    fresh.swap(last);
+    upload<T>(target, buffer, last);
+    return true;
+}
+
 /// Declares attribute `index` of the bound buffer: `count` floats at byte `offset`.
 void float_attribute(GLuint index, GLint count, std::size_t stride, std::size_t offset,
                      GLuint divisor = 0);
@@ -62,7 +79,9 @@ void bind_texture(GLuint unit, const Texture& texture);
 void allocate(const Texture& texture, GLenum internal_format, GLenum format, GLenum type, int width,
               int height);
 
-/// 2-D texture with mipmaps from an embedded PNG, repeating.
+/// 2-D texture with mipmaps, repeating; 4 bytes per pixel.
+[[nodiscard]] Texture load_texture(int width, int height, const unsigned char* rgba);
+/// The same from an embedded PNG.
 [[nodiscard]] Texture load_texture(std::span<const unsigned char> png);
 
 }  // namespace ember

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <vector>
 
 #include "render/camera.h"
@@ -33,27 +34,23 @@ struct PassInput {
     int width, height;
 };
 
-/// What is behind everything.
-class BackdropPass {
+/// What is behind everything: the backdrop, and before it the floor with the shadow of the paper
+/// and the light of the flames on it. All of it is soft, so half the pixels each way do.
+class BackgroundPass {
   public:
-    void draw(const PassInput& in);
+    BackgroundPass();
+    void draw(const PassInput& in, bool ground);
+    [[nodiscard]] const Texture& texture() const { return colour_; }
 
   private:
-    Program program_{"screen", "backdrop"};
-    VertexArray empty_;
-};
-
-/// The floor, with the shadow of the paper and the light of the flames on it.
-class GroundPass {
-  public:
-    GroundPass();
-    void draw(const PassInput& in);
-
-  private:
-    Program program_{"ground"};
-    VertexArray array_;
+    void draw_ground(const PassInput& in);
+    Program backdrop_{"screen", "backdrop"}, ground_{"ground"};
+    Texture colour_;
+    Framebuffer target_;
+    VertexArray array_, empty_;
     Buffer vertices_, indices_;
     GLsizei count_ = 0;
+    int width_ = 0, height_ = 0;
 };
 
 /// The nozzles of all lighters that burn.
@@ -85,22 +82,31 @@ class SheetPass {
     void draw_layer(const PassInput& in, PaperLayer layer);
     /// Draws the triangles with the program in use; attribute 0 is the position.
     void draw_triangles() const;
+    [[nodiscard]] int uploads() const { return uploads_; }  ///< how often data went to buffers
 
   private:
-    void upload_topology(const WorldView& world, double pixels_per_metre);
+    void upload_topology(const WorldView& world, double pixels_per_metre, double ragged);
     void bind_paper(const PassInput& in, PaperLayer layer);
     void draw_paper(const PassInput& in);
     void draw_quantity(const PassInput& in);
-    [[nodiscard]] const Texture& artwork(Artwork print) const;
+    // What is printed on a face, as a texture that is made anew when the picture is another one.
+    struct Print {
+        std::shared_ptr<const PictureFile> picture;
+        Texture ink;
+        explicit Print() { show(nullptr); }
+        void show(const std::shared_ptr<const PictureFile>& wanted);
+    };
     int samples_;
     Program paper_{"sheet"}, quantity_{"sheet", "quantity"};
     Texture scorch_, ember_, heat_, mass_, stress_, fibre_, crackle_;
-    Texture letter_, music_, blank_;
+    Print front_, back_;
     VertexArray array_;
     Buffer vertices_, points_, indices_;
-    std::vector<SheetVertex> packed_;
+    std::vector<SheetVertex> packed_, fresh_;  ///< what the buffer holds, and of this picture
+    int uploads_ = 0;
     std::vector<std::uint64_t> uploaded_;  ///< topology that points and indices hold
     int level_ = 1;                        ///< of the patches
+    double ragged_ = 0;                    ///< [cells] of their edges
     GLsizei index_count_ = 0;
 };
 
@@ -154,6 +160,7 @@ class FirePass {
     FirePass();
     /// Brings the sprites up to date; whether any is in the picture.
     [[nodiscard]] bool prepare(const PassInput& in);
+    [[nodiscard]] int uploads() const { return uploads_; }  ///< how often data went to buffers
     /// `depth` is the resolved depth of the scene. Leaves premultiplied light in texture().
     void draw(const PassInput& in, const Texture& depth);
     [[nodiscard]] const Texture& texture() const { return colour_; }
@@ -166,16 +173,19 @@ class FirePass {
     Framebuffer amounts_target_, target_;
     VertexArray array_, empty_;
     Buffer instances_;
+    std::vector<FireSprite> packed_;  ///< what the buffer holds
+    int uploads_ = 0;
     GLsizei flames_ = 0, sparks_ = 0;
     int width_ = 0, height_ = 0;
 };
 
 /// What the film gets.
 struct FilmInput {
-    const Texture* fire = nullptr;  ///< null: no fire
-    bool bloom = false;             ///< whether anything can be too bright for the film
-    bool linear = false;            ///< light as it is, rather than developed
-    unsigned target = 0;            ///< framebuffer
+    const Texture* background = nullptr;  ///< null: nothing, the picture is transparent
+    const Texture* fire = nullptr;        ///< null: no fire
+    bool bloom = false;                   ///< whether anything can be too bright for the film
+    bool linear = false;                  ///< light as it is, rather than developed
+    unsigned target = 0;                  ///< framebuffer
 };
 
 /// The scene buffers, and the film: bloom, tone mapping, sRGB.
@@ -183,7 +193,7 @@ class FilmPass {
   public:
     /// Binds and clears the multisampled buffers, to transparent black.
     void begin(int width, int height, int samples);
-    void resolve();  ///< to one sample per pixel
+    void resolve(bool depth);  ///< to one sample per pixel; without the depth it holds nothing
     [[nodiscard]] const Texture& depth() const { return depth_; }
     /// Spreads what is too bright. Only before develop() with bloom.
     void bloom(const PassInput& in, const FilmInput& film);

@@ -29,8 +29,7 @@ struct LoadedGl {
 
 struct Renderer::Passes {
     LoadedGl gl;
-    BackdropPass backdrop;
-    GroundPass ground;
+    BackgroundPass background;
     LighterPass lighter;
     SheetPass sheets;
     ShadowPass shadow;
@@ -86,7 +85,13 @@ void Renderer::draw_scene(const PassInput& in) {
     const bool preview = in.params.look.quality == Quality::Preview;
     if (&in.shadow == &p.shadow.texture()) {
         p.run("shadow", p.counters.shadow,
-              [&] { p.shadow.draw(in, p.sheets, preview ? 192 : 384); });
+              [&] { p.shadow.draw(in, p.sheets, preview ? 192 : 320); });
+    }
+    if (!view.transparent) {
+        const bool ground = view.ground && world.ground;
+        int uncounted = 0;
+        p.run("background", ground ? p.counters.ground : uncounted,
+              [&] { p.background.draw(in, ground); });
     }
     p.film.begin(in.width, in.height, preview ? std::min(p.samples, 2) : p.samples);
     // from the front to the back, so that little is coloured twice
@@ -98,10 +103,6 @@ void Renderer::draw_scene(const PassInput& in) {
     const bool lit = std::any_of(world.lighters.begin(), world.lighters.end(),
                                  [](const LighterView& lighter) { return lighter.lit; });
     if (lit) p.run("lighter", p.counters.lighter, [&] { p.lighter.draw(in); });
-    if (view.transparent) return;
-    if (view.ground && world.ground) p.run("ground", p.counters.ground, [&] { p.ground.draw(in); });
-    int uncounted = 0;
-    p.run("backdrop", uncounted, [&] { p.backdrop.draw(in); });
 }
 
 void Renderer::draw(const Frame& frame, const RenderParams& params, int width, int height,
@@ -117,6 +118,7 @@ void Renderer::draw(const Frame& frame, const RenderParams& params, int width, i
     const bool lattice =
         params.view.mode == ViewMode::Lattice || params.view.mode == ViewMode::Stiffness;
     const bool paper = !lattice && p.sheets.prepare(frame, params, height);
+    if (p.observer) p.observer("vertices");
     const bool shadow = paper && beauty && params.look.key_light > 0;
     const PassInput in{frame,    params, camera,    lights,
                        lighting, bounds, to_shadow, shadow ? p.shadow.texture() : p.shadow.none(),
@@ -126,12 +128,15 @@ void Renderer::draw(const Frame& frame, const RenderParams& params, int width, i
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
     draw_scene(in);
+    const bool fire =
+        params.view.flames && beauty && !world.particles.x.empty() && p.fire.prepare(in);
     int uncounted = 0;
-    p.run("resolve", uncounted, [&] { p.film.resolve(); });
+    p.run("resolve", uncounted, [&] { p.film.resolve(fire); });
     FilmInput film;
     film.target = target;
     film.linear = p.layers.wanted();
-    if (params.view.flames && beauty && !world.particles.x.empty() && p.fire.prepare(in)) {
+    if (!params.view.transparent) film.background = &p.background.texture();
+    if (fire) {
         p.run("fire", p.counters.fire, [&] { p.fire.draw(in, p.film.depth()); });
         film.fire = &p.fire.texture();
     }
@@ -185,7 +190,9 @@ void Renderer::reload(const std::filesystem::path& folder) {
 }
 
 PassCounters Renderer::counters() const {
-    return passes_->counters;
+    PassCounters counters = passes_->counters;
+    counters.uploads = passes_->sheets.uploads() + passes_->fire.uploads();
+    return counters;
 }
 
 std::string Renderer::description() const {

@@ -35,10 +35,11 @@ struct Frame {
     std::span<const std::vector<SpringSegment>> springs;
 };
 
-/// How often each pass has run; a pass with nothing to draw does not.
+/// How often each pass has run; a pass with nothing to draw does not. And how often vertices of
+/// paper and fire went to their buffers: only when they have changed.
 struct PassCounters {
     int frames = 0, shadow = 0, ground = 0, lighter = 0, sheets = 0, lattice = 0, fire = 0,
-        bloom = 0, legend = 0;
+        bloom = 0, legend = 0, uploads = 0;
 };
 
 /// Is told the name of each pass when all its work is done; for measuring.

@@ -7,6 +7,17 @@
 #include "render/quantity.h"
 
 namespace ember {
+namespace {
+
+constexpr double kRagged = 0.24;  // [cells] how far torn edges wander
+
+void take_nearest(const Texture& texture) {
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+}  // namespace
 
 Texture table_texture(Colour (*function)(double), double end) {
     const ColourTable table = tabulate(function, end);
@@ -24,12 +35,13 @@ SheetPass::SheetPass(int samples)
       mass_(table_texture(mass_map, 1.0)),
       stress_(table_texture(stress_map, 1.0)),
       fibre_(load_texture(asset("fibre.png"))),
-      crackle_(load_texture(asset("crackle.png"))),
-      letter_(load_texture(asset("letter.png"))),
-      music_(load_texture(asset("music.png"))) {
-    allocate(blank_, GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1, 1);
-    const unsigned char no_ink = 0;
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RED, GL_UNSIGNED_BYTE, &no_ink);
+      crackle_(load_texture(asset("crackle.png"))) {
+    for (const Texture* noise : {&fibre_, &crackle_}) {
+        glBindTexture(GL_TEXTURE_2D, noise->name());  // one level of detail is enough for noise
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    }
+    for (const Texture* table : {&scorch_, &ember_})
+        take_nearest(*table);  // their steps are finer than the noise
     glBindVertexArray(array_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     constexpr std::size_t kVertex = sizeof(SheetVertex), kPoint = sizeof(SheetPoint);
@@ -45,7 +57,7 @@ SheetPass::SheetPass(int samples)
     glBindVertexArray(0);
 }
 
-void SheetPass::upload_topology(const WorldView& world, double pixels_per_metre) {
+void SheetPass::upload_topology(const WorldView& world, double pixels_per_metre, double ragged) {
     std::vector<std::uint64_t> topology;
     std::size_t quads = 0;
     double largest = 0;  // quad [m]
@@ -59,15 +71,17 @@ void SheetPass::upload_topology(const WorldView& world, double pixels_per_metre)
         largest = std::max(largest, sheet.height / (sheet.column_count - 1));
     }
     const int level = patch_level(quads, largest * pixels_per_metre);
-    if (topology == uploaded_ && level == level_) return;
+    if (topology == uploaded_ && level == level_ && ragged == ragged_) return;
     uploaded_ = topology;
+    ragged_ = ragged;
     level_ = level;
     std::vector<SheetPoint> points;
     for (std::size_t s = 0; s < world.sheets.size(); ++s)
-        append_points(world.sheets[s], s, level_, points);
+        append_points(world.sheets[s], s, level_, points, ragged_);
     std::vector<std::uint32_t> triangles;
     append_triangles(quads, level_, 0, triangles);
     index_count_ = static_cast<GLsizei>(triangles.size());
+    ++uploads_;
     upload<SheetPoint>(GL_ARRAY_BUFFER, points_, points);
     upload<std::uint32_t>(GL_ELEMENT_ARRAY_BUFFER, indices_, triangles);
 }
@@ -76,17 +90,20 @@ bool SheetPass::prepare(const Frame& frame, const RenderParams& params, int heig
     const WorldView& world = *frame.world;
     const CameraParams& camera = params.camera;
     const double metres = 2 * std::tan(0.5 * camera.field_of_view) * camera.distance;  // high
+    // views of the lattice show its own cells
+    const bool beauty = params.view.mode == ViewMode::Beauty && !params.view.wireframe;
+    const double ragged = beauty ? kRagged : 0.0;
     glBindVertexArray(array_.name());
-    upload_topology(world, height / metres);
-    packed_.clear();
+    upload_topology(world, height / metres, ragged);
+    fresh_.clear();
     for (std::size_t s = 0; s < world.sheets.size(); ++s) {
         const SheetView& sheet = world.sheets[s];
         std::span<const SpringSegment> springs;
         if (s < frame.springs.size()) springs = frame.springs[s];
         append_vertices(sheet, world, level_, node_quantity(params.view.mode, sheet, springs),
-                        packed_);
+                        fresh_, ragged_);
     }
-    upload<SheetVertex>(GL_ARRAY_BUFFER, vertices_, packed_);
+    if (upload_changed(GL_ARRAY_BUFFER, vertices_, fresh_, packed_)) ++uploads_;
     glBindVertexArray(0);
     return index_count_ > 0;
 }
@@ -98,15 +115,12 @@ void SheetPass::draw_triangles() const {
 }
 
 void SheetPass::bind_paper(const PassInput& in, PaperLayer layer) {
+    front_.show(in.params.printed.front);
+    back_.show(in.params.printed.back);
     paper_.use();
     set_lighting(paper_, in);
     const char* samplers[] = {"u_scorch", "u_ember", "u_fibre", "u_crackle", "u_front", "u_back"};
-    const Texture* textures[] = {&scorch_,
-                                 &ember_,
-                                 &fibre_,
-                                 &crackle_,
-                                 &artwork(in.params.print.front),
-                                 &artwork(in.params.print.back)};
+    const Texture* textures[] = {&scorch_, &ember_, &fibre_, &crackle_, &front_.ink, &back_.ink};
     for (int unit = 0; unit < 6; ++unit) {
         bind_texture(static_cast<GLuint>(unit), *textures[unit]);
         paper_.set(samplers[unit], unit);
@@ -158,8 +172,16 @@ void SheetPass::draw_quantity(const PassInput& in) {
     draw_triangles();
 }
 
-const Texture& SheetPass::artwork(Artwork print) const {
-    return print == Artwork::Letter ? letter_ : print == Artwork::Music ? music_ : blank_;
+void SheetPass::Print::show(const std::shared_ptr<const PictureFile>& wanted) {
+    if (wanted == picture && picture) return;
+    picture = wanted;
+    if (picture) {
+        ink = load_texture(picture->width, picture->height, picture->rgba.data());
+        return;
+    }
+    const unsigned char white[4] = {255, 255, 255, 255};
+    ink = load_texture(1, 1, white);
+    take_nearest(ink);
 }
 
 void SheetPass::draw(const PassInput& in) {

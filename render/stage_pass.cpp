@@ -45,21 +45,8 @@ float grid_line(int i, int half) {
 
 }  // namespace
 
-void BackdropPass::draw(const PassInput& in) {
-    // as far away as can be: only pixels that nothing has covered are coloured
-    glDepthFunc(GL_LEQUAL);
-    glDepthRange(1, 1);
-    glBindVertexArray(empty_.name());
-    program_.use();
-    set_lighting(program_, in);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
-    glDepthRange(0, 1);
-    glDepthFunc(GL_LESS);
-}
-
-GroundPass::GroundPass() {
-    constexpr int kHalf = 32, kLines = 2 * kHalf + 1;
+BackgroundPass::BackgroundPass() {
+    constexpr int kHalf = 24, kLines = 2 * kHalf + 1;
     std::vector<Eigen::Vector2f> vertices;
     for (int row = 0; row < kLines; ++row) {
         for (int column = 0; column < kLines; ++column)
@@ -81,24 +68,45 @@ GroundPass::GroundPass() {
     glBindVertexArray(0);
 }
 
-void GroundPass::draw(const PassInput& in) {
+void BackgroundPass::draw(const PassInput& in, bool ground) {
+    const int width = (in.width + 1) / 2, height = (in.height + 1) / 2;
+    glBindFramebuffer(GL_FRAMEBUFFER, target_.name());
+    if (width != width_ || height != height_) {
+        allocate(colour_, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, width, height);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(),
+                               0);
+        width_ = width;
+        height_ = height;
+    }
+    glViewport(0, 0, width, height);
+    glDisable(GL_DEPTH_TEST);
+    glBindVertexArray(empty_.name());
+    backdrop_.use();
+    set_lighting(backdrop_, in);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    // from below, the floor would be before the paper
+    if (ground && in.camera.eye.y() > 0) draw_ground(in);
+    glBindVertexArray(0);
+    glEnable(GL_DEPTH_TEST);
+}
+
+void BackgroundPass::draw_ground(const PassInput& in) {
     std::array<Eigen::Vector4f, kMostOccluders> places{}, normals{};
     const std::vector<Occluder> occluders = gather_occluders(*in.frame.world);
     for (std::size_t i = 0; i < occluders.size(); ++i) {
         places[i] = occluders[i].place;
         normals[i] = occluders[i].normal;
     }
-    program_.use();
-    set_lighting(program_, in);
-    program_.set("u_occluder_count", static_cast<int>(occluders.size()));
-    program_.set_array("u_occluders", kMostOccluders, places.data());
-    program_.set_array("u_occluder_normals", kMostOccluders, normals.data());
-    program_.set("u_albedo", in.lighting.ground);
-    program_.set("u_pixels",
-                 Eigen::Vector2f(static_cast<float>(in.width), static_cast<float>(in.height)));
+    ground_.use();
+    set_lighting(ground_, in);
+    ground_.set("u_occluder_count", static_cast<int>(occluders.size()));
+    ground_.set_array("u_occluders", kMostOccluders, places.data());
+    ground_.set_array("u_occluder_normals", kMostOccluders, normals.data());
+    ground_.set("u_albedo", in.lighting.ground);
+    ground_.set("u_pixels",
+                Eigen::Vector2f(static_cast<float>(width_), static_cast<float>(height_)));
     glBindVertexArray(array_.name());
     glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_SHORT, nullptr);
-    glBindVertexArray(0);
 }
 
 void LighterPass::draw(const PassInput& in) {

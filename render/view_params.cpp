@@ -1,6 +1,9 @@
 #include "render/view_params.h"
 
 #include <string_view>
+#include <utility>
+
+#include "sim/param_rows.h"
 
 namespace ember {
 namespace {
@@ -14,7 +17,6 @@ constexpr std::string_view kLightings[] = {"studio", "night"};
 constexpr std::string_view kQualities[] = {"full", "preview"};
 constexpr std::string_view kModes[] = {"beauty", "lattice", "temperature", "mass",
                                        "state",  "stress",  "stiffness"};
-constexpr std::string_view kArtworks[] = {"none", "letter", "music"};
 
 template <auto Group, auto Field>
 constexpr ParamInfo real(std::string_view key, Unit unit, ParamRange hard, ParamRange tested,
@@ -70,6 +72,11 @@ constexpr ParamInfo choice(std::string_view key, std::span<const std::string_vie
             &Access<Group, Field>::set};
 }
 
+template <auto Group, auto Field>
+constexpr ParamInfo file(std::string_view key, std::string_view help) {
+    return param_rows::text<Group, Field>(key, Live, {help, "Our choice"});
+}
+
 constexpr ParamInfo kRows[] = {
     choice<&R::view, &ViewParams::mode>("view.mode", kModes,
                                         "What is drawn: the picture, the springs by kind or "
@@ -86,10 +93,12 @@ constexpr ParamInfo kRows[] = {
     real<&R::view, &ViewParams::stress_range>("view.stress_range", unit::kilopascal, {1e-3, 1e6},
                                               {0.05, 1000}, Logarithmic,
                                               "Stress at both ends of the scale of that view."),
-    choice<&R::print, &PrintParams::front>("print.front", kArtworks,
-                                           "What is printed on the face that faces the viewer."),
-    choice<&R::print, &PrintParams::back>("print.back", kArtworks,
-                                          "What is printed on the other face."),
+    file<&R::print, &PrintParams::front>("print.front",
+                                         "PNG file beside the preset: what is printed on the face "
+                                         "with the first row on its left, over the whole sheet."),
+    file<&R::print, &PrintParams::back>("print.back",
+                                        "PNG file beside the preset: what is printed on the other "
+                                        "face."),
     real<&R::camera, &CameraParams::azimuth>("camera.azimuth", unit::degree, {-360, 360},
                                              {-180, 180}, Linear,
                                              "Where the camera stands around the paper."),
@@ -145,7 +154,7 @@ static_assert(row_count(kRows, "view") == field_count<ViewParams>, "every field 
 static_assert(row_count(kRows, "look") == field_count<LookParams>, "every field needs a row");
 static_assert(row_count(kRows, "shot") == field_count<ShotParams>, "every field needs a row");
 static_assert(row_count(kRows, "print") == field_count<PrintParams>, "every field needs a row");
-static_assert(field_count<RenderParams> == 5, "every group needs rows and an assertion above");
+static_assert(field_count<RenderParams> == 6, "every group needs rows and an assertion above");
 
 }  // namespace
 
@@ -155,6 +164,20 @@ std::span<const ParamInfo> render_param_rows() {
 
 ParamBinding bind(RenderParams& params) {
     return {kRows, &params};
+}
+
+std::vector<Diagnostic> read_prints(RenderParams& params, const PresetInfo& info) {
+    std::vector<Diagnostic> problems;
+    const auto read = [&](const std::string& key, const std::string& name) {
+        if (name.empty()) return std::shared_ptr<const PictureFile>();
+        auto picture = std::make_shared<PictureFile>();
+        const Diagnostic problem = read_picture(key, name, info, *picture);
+        if (!problem.message.empty()) problems.push_back(problem);
+        return std::shared_ptr<const PictureFile>(std::move(picture));
+    };
+    params.printed = {read("print.front", params.print.front),
+                      read("print.back", params.print.back)};
+    return problems;
 }
 
 }  // namespace ember

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <string>
 
+#include "app/preset_io/picture_file.h"
 #include "sim/param_info.h"
 
 namespace ember {
@@ -34,13 +37,14 @@ struct ViewParams {
     double stress_range = 200.0;  // [Pa] at both ends of the scale
 };
 
-/// Artwork: a typed letter or a sheet of music. Drawn by textures/make_textures.cpp.
-enum class Artwork : std::uint8_t { None, Letter, Music };
-
-/// What is printed on the paper.
+/// What is printed on the paper: names of PNG files beside the preset; empty: nothing.
 struct PrintParams {
-    Artwork front = Artwork::None;
-    Artwork back = Artwork::None;
+    std::string front, back;
+};
+
+/// The files of PrintParams; null: nothing is printed. Each face shows its whole picture upright.
+struct PrintedFaces {
+    std::shared_ptr<const PictureFile> front, back;
 };
 
 /// The set: how it is lit without the fire.
@@ -55,7 +59,7 @@ struct LookParams {
     double exposure = 1.0;          // [1]
     double key_light = 1.0;         // [1]
     double flame_light = 1.0;       // [1] light that the flames throw on the sheet and ground
-    double flame_size = 0.030;      // [m] width of a tongue of flame
+    double flame_size = 0.026;      // [m] width of a tongue of flame
     double flame_share = 0.055;     // [1] of the fire particles are drawn as tongues
     double flame_brightness = 1.0;  // [1]
     double smoke = 1.0;             // [1]
@@ -76,9 +80,13 @@ struct RenderParams {
     LookParams look;
     ShotParams shot;
     PrintParams print;
+    PrintedFaces printed;  // what read_prints found
 };
 
 [[nodiscard]] std::span<const ParamInfo> render_param_rows();
 [[nodiscard]] ParamBinding bind(RenderParams& params);
+
+/// Reads the files of params.print into params.printed; returns what is wrong (see read_picture).
+[[nodiscard]] std::vector<Diagnostic> read_prints(RenderParams& params, const PresetInfo& info);
 
 }  // namespace ember

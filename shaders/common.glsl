@@ -51,16 +51,17 @@ float fractal_noise(vec2 p) {
     return sum / 0.9375;
 }
 
-// Light that falls on a surface with normal n at `place` from the flames; times kFlameColour.
-float flame_irradiance(vec3 place, vec3 n, float wrap) {
-    float sum = 0.0;
+// Light of the flames that falls on both faces of a surface with normal n at `place`, on the face
+// with the normal first; times kFlameColour.
+vec2 flame_irradiance(vec3 place, vec3 n, float wrap) {
+    vec2 sum = vec2(0.0);
     for (int i = 0; i < u_light_count; ++i) {
         vec3 to = u_lights[i].xyz - place;
         float squared = dot(to, to) + 0.0025;     // a flame is no point: 5 cm soft
-        float facing = (dot(n, to) * inversesqrt(squared) + wrap) / (1.0 + wrap);
-        sum += u_lights[i].w * max(facing, 0.0) * 0.03 / squared;
+        float facing = dot(n, to) * inversesqrt(squared);
+        sum += u_lights[i].w / squared * max(vec2(facing, -facing) + wrap, 0.0);
     }
-    return sum * u_flame_light;
+    return sum * (0.03 * u_flame_light / (1.0 + wrap));
 }
 
 // Share of the lamp that reaches `place`, 0 .. 1. Of the paper around the line to the lamp, how much
@@ -77,8 +78,8 @@ float key_visibility(vec3 place) {
     return 1.0 - paper.r * (1.0 - passes);
 }
 
-// Light of the set on a surface with normal n at `place`: the lamp with its shadows, and the sky.
-vec3 studio_irradiance(vec3 place, vec3 n, float wrap) {
+// Light of the set on a surface with normal n: the share of the lamp that is visible, and the sky.
+vec3 studio_irradiance(float visible, vec3 n, float wrap) {
     float facing = max((dot(n, u_key_direction) + wrap) / (1.0 + wrap), 0.0);
-    return u_key * (facing * key_visibility(place)) + mix(u_bounce, u_sky, n.y * 0.5 + 0.5);
+    return u_key * (facing * visible) + mix(u_bounce, u_sky, n.y * 0.5 + 0.5);
 }

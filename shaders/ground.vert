@@ -23,6 +23,6 @@ void main() {
                   (squared * (3.14159 * squared + u_occluders[i].w));
     }
     v_open = max(1.0 - 1.6 * hidden, 0.1);
-    v_flame = flame_irradiance(v_place, vec3(0.0, 1.0, 0.0), 0.0);
+    v_flame = flame_irradiance(v_place, vec3(0.0, 1.0, 0.0), 0.0).x;
     gl_Position = u_projection * (u_view * vec4(v_place, 1.0));
 }

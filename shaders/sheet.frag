@@ -12,7 +12,7 @@ in vec2 v_flame;                        // light of the flames on the face with 
 uniform sampler2D u_scorch;             // reflectance by mm ahead of the char line, 0 .. 32
 uniform sampler2D u_ember;              // light by mm behind the ember line, 0 .. 4
 uniform sampler2D u_fibre, u_crackle;   // see textures/make_textures.cpp
-uniform sampler2D u_front, u_back;      // ink on both faces
+uniform sampler2D u_front, u_back;      // what is printed on both faces, sRGB-encoded
 uniform vec3 u_char, u_ash_dark, u_ash_pale;
 uniform int u_samples;                  // per pixel
 uniform int u_wireframe;
@@ -80,22 +80,27 @@ void main() {
     float eaten_share = smoothstep(-0.25, 0.6, behind_crawl) * smoothstep(0.0, 1.5, burnt);
     float lip = smoothstep(0.3, 1.0, burnt) * (1.0 - smoothstep(2.5, 4.5, burnt)) *
                 smoothstep(0.35, 0.65, fibre.b + 0.2 * fibre.a);
-    float edge_ash = (1.0 - smoothstep(0.2, 1.5, torn)) * smoothstep(0.0, 3.0, burnt);
+    float edge_ash = (1.0 - smoothstep(0.2, 1.5, torn)) * smoothstep(0.0, 3.0, burnt) *
+                     smoothstep(0.45, 0.75, fibre.b + 0.4 * (coarse.g - 0.5));
     // a film of ash grows on what stays black, in drifts
-    float film = smoothstep(0.35, 0.75, coarse.g + 0.5 * (fibre.b - 0.5) + 0.25 * (crack.g - 0.5)) *
-                 smoothstep(0.5, 9.0, age);
-    float ash = max(max(eaten_share, 0.75 * film), max(0.8 * lip, 0.7 * edge_ash));
-    float pale = smoothstep(0.3, 16.0, age + 7.0 * (coarse.b - 0.5)) * (0.5 + 0.6 * fibre.b);
+    float spread = 0.38 - 0.40 * smoothstep(2.0, 14.0, age);
+    float film = smoothstep(spread, spread + 0.5,
+                            0.8 * coarse.g + 0.6 * (fibre.b - 0.5) + 0.3 * (crack.g - 0.5) + 0.1) *
+                 smoothstep(0.4, 5.0, age);
+    float ash = max(max(eaten_share, 0.8 * film), max(0.8 * lip, 0.7 * edge_ash));
+    float pale = smoothstep(0.2, 6.0, age + 3.0 * (coarse.b - 0.5)) * (0.6 + 0.5 * fibre.b);
     // all char greys a little with time
-    float dust = 0.5 * smoothstep(1.0, 20.0, age) * (0.4 + 0.8 * fibre.g);
+    float dust = 0.9 * smoothstep(1.0, 12.0, age) * (0.5 + 0.8 * fibre.g);
 
     bool faces = dot(v_normal, u_eye - v_place) > 0.0;
     vec2 page = vec2(faces ? v_page.x : 1.0 - v_page.x, v_page.y);
-    float ink = faces ? texture(u_front, page).r : texture(u_back, page).r;
+    vec4 print = faces ? texture(u_front, page) : texture(u_back, page);
+    print.rgb = mix(vec3(1.0), print.rgb, print.a);
+    float ink = 1.0 - dot(print.rgb, vec3(0.30, 0.59, 0.11));
 
     vec3 paper = look_up(u_scorch, -charred / kScorchEnd);
     paper *= 0.93 + 0.07 * fibre.r + 0.05 * (fibre.g - 0.5);
-    paper *= 1.0 - 0.93 * ink;
+    paper *= mix(vec3(0.02), vec3(1.0), print.rgb * print.rgb * (0.3 + 0.7 * print.rgb));   // decoded
     vec3 black = mix(u_char, u_ash_dark, dust) * (0.75 + 0.5 * fibre.r);
     black += 0.022 * ink;               // pigments stay on the char, and shine
     vec3 grey = mix(u_ash_dark, u_ash_pale, clamp(pale, 0.0, 1.0)) * (0.8 + 0.4 * fibre.r);
@@ -117,8 +122,9 @@ void main() {
 
     float translucency = 0.22 * (0.8 + 0.4 * fibre.g) * (1.0 - smoothstep(-8.0, -1.0, charred));
     vec2 flame = faces ? v_flame : v_flame.yx;
-    vec3 front = studio_irradiance(v_place, n, 0.15) + kFlameColour * flame.x;
-    vec3 back = studio_irradiance(v_place, -n, 0.15) + kFlameColour * flame.y;
+    float visible = key_visibility(v_place);
+    vec3 front = studio_irradiance(visible, n, 0.15) + kFlameColour * flame.x;
+    vec3 back = studio_irradiance(visible, -n, 0.15) + kFlameColour * flame.y;
     vec3 light = albedo * (front * (1.0 - translucency) + back * translucency);
 
     // satin sheen of char, faint of paper
@@ -154,5 +160,5 @@ void main() {
     }
     light += glow;
     if (u_wireframe != 0) light = mix(light, vec3(0.05, 0.35, 0.75), 0.8 * on_edge());
-    o_colour = vec4(light, covered);
+    o_colour = vec4(light, u_samples > 1 ? covered : 1.0);
 }

@@ -34,7 +34,6 @@ void main() {
     v_grain = a_marks.x;
     v_torn = int(a_marks.y + 0.5);
     // flames are soft and far in terms of quads, so what they throw is interpolated
-    v_flame = vec2(flame_irradiance(a_position, a_normal, 0.1),
-                   flame_irradiance(a_position, -a_normal, 0.1));
+    v_flame = flame_irradiance(a_position, a_normal, 0.1);
     gl_Position = u_projection * (u_view * vec4(a_position, 1.0));
 }

@@ -1,8 +1,8 @@
-// Makes what is printed: emberleaf_make_pages FOLDER.
+// Makes what is printed: emberleaf_make_pages FONT_FOLDER PAGE_FOLDER.
 //
 // font.png    the glyphs of glyphs.h in cells of 6×8 pixels, 16 to a row, in their order; the last
 //             cell is filled.
-// letter.png  ink of a typed letter, music.png of a sheet of music: pages of 210 mm × 297 mm.
+// letter.png  a typed letter, music.png a sheet of music: pages of 210 mm × 297 mm.
 #include <stb_image_write.h>
 
 #include <algorithm>
@@ -84,7 +84,7 @@ class Page {
     [[nodiscard]] std::vector<std::uint8_t> pixels() const {
         std::vector<std::uint8_t> grey;
         for (const double ink : ink_)
-            grey.push_back(byte(ink));
+            grey.push_back(byte(1 - 0.96 * ink));
         return grey;
     }
 
@@ -178,12 +178,12 @@ std::vector<std::uint8_t> font() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: %s FOLDER\n", argv[0]);
+    if (argc != 3) {
+        std::fprintf(stderr, "usage: %s FONT_FOLDER PAGE_FOLDER\n", argv[0]);
         return 2;
     }
-    const std::string folder = std::string(argv[1]) + '/';
-    write(folder + "font.png", font(), 96, 32, 1);
+    const std::string fonts = std::string(argv[1]) + '/', folder = std::string(argv[2]) + '/';
+    write(fonts + "font.png", font(), 96, 32, 1);
     write(folder + "letter.png", letter().pixels(), Page::kWide, Page::kHigh, 1);
     write(folder + "music.png", music().pixels(), Page::kWide, Page::kHigh, 1);
 }

@@ -7,7 +7,7 @@ namespace {
 
 bool same(const RenderParams& a, const RenderParams& b) {
     return std::ranges::all_of(render_param_rows(),
-                               [&](const ParamInfo& row) { return row.get(&a) == row.get(&b); });
+                               [&](const ParamInfo& row) { return row.value(&a) == row.value(&b); });
 }
 
 }  // namespace

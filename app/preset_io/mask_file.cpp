@@ -1,64 +1,27 @@
 #include "app/preset_io/mask_file.h"
 
 #include <algorithm>
-#include <array>
-#include <filesystem>
-#include <fstream>
+#include <memory>
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#include <stb_image.h>
+#include "app/preset_io/picture_file.h"
 
 namespace ember {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct StbDelete {
-    void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
-};
-
-bool leads_out(const fs::path& path) {
-    return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
-}
-
-// Width and height as the header of a PNG says them; false for what is no PNG. Not left to the
-// decoder, which says of a picture that is too large for it that it is none.
-bool png_size(const fs::path& path, std::array<std::uint32_t, 2>& size) {
-    constexpr std::string_view kStart("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
-    std::array<char, 24> head{};
-    std::ifstream file(path, std::ios::binary);
-    if (!file.read(head.data(), head.size())) return false;
-    for (std::size_t i = 0; i < 8; ++i)
-        size[i / 4] = size[i / 4] << 8 | static_cast<unsigned char>(head[kStart.size() + i]);
-    return std::string_view(head.data(), kStart.size()) == kStart;
-}
-
-// The picture, or what is wrong with it.
-std::string read_mask(const fs::path& path, MaskImage& image) {
-    if (!fs::is_regular_file(path)) return "there is no file " + path.string();
-    std::array<std::uint32_t, 2> size{};
-    if (!png_size(path, size)) return path.string() + " is no PNG";
-    const std::string pixels_text = path.string() + " has " + std::to_string(size[0]) + " x " +
-                                    std::to_string(size[1]) + " pixels, ";
-    if (size[0] < 2 || size[1] < 2) return pixels_text + "a picture needs 2 x 2";
-    if (std::uint64_t{size[0]} * size[1] > kMostMaskPixels)
-        return pixels_text + "more than 8192 x 8192";
-    int width = 0, height = 0, channels = 0;
-    const std::unique_ptr<stbi_uc, StbDelete> pixels(
-        stbi_load(path.c_str(), &width, &height, &channels, 2));  // grey and opacity
-    if (pixels == nullptr) return path.string() + " cannot be read: " + stbi_failure_reason();
-    image.width = width;
-    image.height = height;
-    const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    image.paper.resize(count);
+// Where `picture` is opaque and at least half as bright as white; false when that is nowhere.
+bool cut_out(const PictureFile& picture, MaskImage& image) {
+    image.width = picture.width;
+    image.height = picture.height;
+    image.paper.resize(picture.rgba.size() / 4);
     bool any = false;
-    for (std::size_t i = 0; i < count; ++i) {
-        image.paper[i] = pixels.get()[2 * i] >= 128 && pixels.get()[2 * i + 1] >= 128 ? 1 : 0;
+    for (std::size_t i = 0; i < image.paper.size(); ++i) {
+        const std::uint8_t* p = &picture.rgba[4 * i];
+        // luma of BT.601 in 1/256, as for grey pictures, which it leaves as they are
+        const int grey = (77 * p[0] + 150 * p[1] + 29 * p[2]) >> 8;
+        image.paper[i] = grey >= 128 && p[3] >= 128 ? 1 : 0;
         any = any || image.paper[i] != 0;
     }
-    return any ? "" : path.string() + " is black: there is no paper";
+    return any;
 }
 
 }  // namespace
@@ -72,13 +35,12 @@ std::vector<Diagnostic> read_masks(Params& params, const PresetInfo& info) {
         if (name.empty() || std::any_of(params.masks.begin(), params.masks.end(), known)) continue;
         const std::string key =
             params.sheets.empty() ? "sheet.mask" : "sheets." + std::to_string(i + 1) + ".mask";
-        Diagnostic problem = place_error(info, SceneError(key, ""));
-        const fs::path said_in = problem.line > 0 ? fs::path(problem.file) : info.path;
+        PictureFile picture;
+        Diagnostic problem = read_picture(key, name, info, picture);
         auto image = std::make_shared<MaskImage>();
         image->name = name;
-        problem.message = leads_out(name)
-                              ? "expected a file in the preset's own folder, got \"" + name + '"'
-                              : read_mask(said_in.parent_path() / name, *image);
+        if (problem.message.empty() && !cut_out(picture, *image))
+            problem.message = picture.path.string() + " is black: there is no paper";
         if (problem.message.empty()) {
             params.masks.push_back(std::move(image));
         } else {

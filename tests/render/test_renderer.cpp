@@ -1,5 +1,6 @@
 // What the renderer draws, and that it draws nothing else, on a staged world.
 #include <glad/gl.h>
+#include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -75,14 +76,36 @@ TEST(Passes, ColdPaperDoesNotBloomAndPaperOutsideThePictureIsNotDrawn) {
     EXPECT_EQ(rig.renderer.counters().fire, 0);
 }
 
+TEST(Passes, WhatHasNotChangedIsNotUploadedAgain) {
+    GlRig rig;
+    StagedWorld staged = test::burning_sheet(8, 12, 300);
+    (void)rig.draw(staged.view(), {});
+    const int first = rig.renderer.counters().uploads;
+    EXPECT_EQ(first, 3) << "triangles, vertices and sprites";
+    RenderParams brighter;
+    brighter.look.exposure = 2;
+    (void)rig.draw(staged.view(), brighter);
+    EXPECT_EQ(rig.renderer.counters().uploads, first);
+    staged.x[5] += 0.001;  // in the same tick
+    (void)rig.draw(staged.view(), {});
+    EXPECT_EQ(rig.renderer.counters().uploads, first + 1);
+    for (int i = 0; i < 300; ++i)
+        staged.fire_x[static_cast<std::size_t>(i)] += 0.001;
+    (void)rig.draw(staged.view(), {});
+    EXPECT_EQ(rig.renderer.counters().uploads, first + 2);
+    staged.topology_version = 2;
+    (void)rig.draw(staged.view(), {});
+    EXPECT_EQ(rig.renderer.counters().uploads, first + 3);
+}
+
 TEST(Passes, EachTellsTheObserverWhenItIsDone) {
     GlRig rig;
     const StagedWorld staged = test::burning_sheet(8, 12, 300);
     std::vector<std::string> passes;
     rig.renderer.observe_passes([&](std::string_view pass) { passes.emplace_back(pass); });
     (void)rig.draw(staged.view(), {});
-    EXPECT_EQ(passes, (std::vector<std::string>{"shadow", "sheets", "ground", "backdrop", "resolve",
-                                                "fire", "bloom", "film"}));
+    EXPECT_EQ(passes, (std::vector<std::string>{"vertices", "shadow", "background", "sheets",
+                                                "resolve", "fire", "bloom", "film"}));
     rig.renderer.observe_passes({});
     (void)rig.draw(staged.view(), {});
     EXPECT_EQ(passes.size(), 8u);
@@ -128,6 +151,17 @@ TEST(Renderer, RaisesNoGlErrorInAnyMode) {
         (void)rig.renderer.draw_image({&world, springs}, in_mode(mode), 161, 97);
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << static_cast<int>(mode);
     }
+}
+
+TEST(DebugOutput, AMistakeMakesTheTestFail) {
+    EXPECT_NONFATAL_FAILURE(
+        {
+            GlRig rig;
+            ASSERT_NE(GLAD_GL_KHR_debug, 0);
+            glEnable(0xFFFF);
+            static_cast<void>(glGetError());
+        },
+        "OpenGL says: GL_INVALID_ENUM");
 }
 
 TEST(Renderer, ACutIsDrawnAlthoughTheIndicesOfTheWholeSheetWereUploaded) {

@@ -58,7 +58,7 @@ TEST(ShaderLibrary, ABadShaderInAFolderNamesItsLineAndTheLastGoodOnesGoOnRunning
     namespace fs = std::filesystem;
     const fs::path folder = fs::temp_directory_path() / "emberleaf_shaders";
     fs::create_directories(folder);
-    const auto write = [&](const char* text) { std::ofstream(folder / "backdrop.frag") << text; };
+    const auto write = [&](const char* text) { std::ofstream(folder / "film.frag") << text; };
     test::GlRig rig;
     const test::StagedWorld staged = test::hanging_sheet(4, 6);
     const Image before = rig.draw(staged.view(), {});
@@ -67,7 +67,7 @@ TEST(ShaderLibrary, ABadShaderInAFolderNamesItsLineAndTheLastGoodOnesGoOnRunning
         rig.renderer.reload(folder);
         ADD_FAILURE() << "compiled";
     } catch (const RenderError& e) {
-        EXPECT_EQ(std::string(e.what()).find("backdrop.frag:4: "), 0u) << e.what();
+        EXPECT_EQ(std::string(e.what()).find("film.frag:4: "), 0u) << e.what();
     }
     EXPECT_EQ(rig.draw(staged.view(), {}).rgba, before.rgba);
     write("out vec4 o_colour;\nvoid main() { o_colour = vec4(0.0, 0.5, 0.0, 1.0); }\n");

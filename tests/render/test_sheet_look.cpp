@@ -88,11 +88,17 @@ TEST(BurningPaper, BandsAreAsWideOnEveryLatticeAndAtEverySize) {
     }
 }
 
+std::shared_ptr<const PictureFile> page(const std::string& name) {
+    Image image = read_image(EMBERLEAF_SOURCE "/presets/paper/" + name);
+    return std::make_shared<const PictureFile>(
+        PictureFile{name, image.width, image.height, std::move(image.rgba)});
+}
+
 // How much the print changes the picture between two radii, relative to what it is without.
 double contrast(GlRig& rig, const StagedWorld& staged, double from, double to) {
     RenderParams params = head_on();
     const Picture plain = take(rig, staged, params, 1080);
-    params.print.front = Artwork::Letter;
+    params.printed.front = page("letter.png");
     const Picture printed = take(rig, staged, params, 1080);
     double sum = 0, ink = 0;
     for (double angle = 0.1; angle < 1.45; angle += 0.003) {
@@ -122,9 +128,9 @@ TEST(BurningPaper, TheBackIsPrintedOnItsOwn) {
     const StagedWorld staged = test::hanging_sheet(8, 12);
     RenderParams params = head_on();
     const Image plain = rig.draw(staged.view(), params);
-    params.print.back = Artwork::Music;
+    params.printed.back = page("music.png");
     EXPECT_TRUE(compare(rig.draw(staged.view(), params), plain).identical());
-    params.print.front = Artwork::Music;
+    params.printed.front = params.printed.back;
     EXPECT_GT(compare(rig.draw(staged.view(), params), plain).pixels, 500);
 }
 
