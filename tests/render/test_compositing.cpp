@@ -113,6 +113,40 @@ const std::vector<float>& channel(const FloatImage& image, const std::string& na
     throw std::runtime_error("no channel " + name);
 }
 
+// Light over light: the picture without a background, laid over what is behind it, is the picture
+// with that background, flames and torn edges included.
+TEST(Layers, OverTheBackgroundTheyAreTheOpaqueLight) {
+    GlRig rig;
+    const StagedWorld staged = test::burning_sheet(16, 24, 400);
+    StagedWorld nothing = test::hanging_sheet(4, 6);
+    nothing.quads.clear();
+    RenderParams params;
+    params.view.ground = false;
+    const auto light = [&](const StagedWorld& s, bool transparent) {
+        params.view.transparent = transparent;
+        const WorldView world = s.view();
+        return rig.renderer.draw_layers({&world, {}}, params, 320, 180);
+    };
+    const FloatImage opaque = light(staged, false), clear = light(staged, true);
+    const FloatImage behind = light(nothing, false);
+    const std::vector<float>& alpha = channel(clear, "A");
+    double worst = 0, forgotten = 0;
+    int partly = 0;
+    for (const char* name : {"R", "G", "B"}) {
+        for (std::size_t i = 0; i < alpha.size(); ++i) {
+            const float o = channel(opaque, name)[i], c = channel(clear, name)[i];
+            const float b = channel(behind, name)[i];
+            const auto off = static_cast<double>(std::abs(c + (1 - alpha[i]) * b - o) / (1 + o));
+            worst = std::max(worst, off);
+            forgotten = std::max(forgotten, static_cast<double>(std::abs(c - o)));
+            partly += alpha[i] > 0.02f && alpha[i] < 0.98f ? 1 : 0;
+        }
+    }
+    EXPECT_LT(worst, 2e-3) << "half floats";
+    EXPECT_GT(forgotten, 0.02) << "there is a background";
+    EXPECT_GT(partly, 300) << "flames and edges cover in part";
+}
+
 TEST(Layers, AreWhatThePaperIs) {
     GlRig rig;
     const StagedWorld staged = test::hanging_sheet(16, 24);

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <glad/gl.h>
+#include <gtest/gtest.h>
+
+#include <string>
 
 #include "render/offscreen_context.h"
 #include "render/renderer.h"
@@ -14,8 +17,24 @@ inline std::unique_ptr<OffscreenContext> pinned_context(GlBackend backend = GlBa
     return OffscreenContext::create(backend);
 }
 
+/// Makes the running test fail for everything that the driver has to say from now on: errors,
+/// undefined behaviour, what is slow. Installed before the renderer makes its objects.
+class DebugOutput {
+  public:
+    explicit DebugOutput(GlLoader loader) {
+        if (gladLoadGL(loader) == 0) throw RenderError("OpenGL entry points cannot be loaded");
+        if (GLAD_GL_KHR_debug == 0) return;
+        glEnable(GL_DEBUG_OUTPUT);
+        glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+        glDebugMessageCallback([](GLenum, GLenum, GLuint, GLenum, GLsizei, const GLchar* text,
+                                  const void*) { ADD_FAILURE() << "OpenGL says: " << text; },
+                               nullptr);
+    }
+};
+
 struct GlRig {
     std::unique_ptr<OffscreenContext> context = pinned_context();
+    DebugOutput output{context->loader()};
     Renderer renderer{context->loader()};
 
     [[nodiscard]] Image draw(const WorldView& world, const RenderParams& params, int width = 320,
