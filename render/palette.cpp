@@ -33,7 +33,7 @@ constexpr Stop kScorch[] = {{0.0, 0.0080f, 0.0070f, 0.0060f}, {0.8, 0.0130f, 0.0
                             {32.0, 0.860f, 0.840f, 0.780f}};
 
 constexpr Stop kAsh[] = {
-    {0.0, 0.060f, 0.058f, 0.056f}, {0.5, 0.27f, 0.265f, 0.255f}, {1.0, 0.60f, 0.595f, 0.58f}};
+    {0.0, 0.060f, 0.058f, 0.056f}, {0.5, 0.27f, 0.265f, 0.255f}, {1.0, 0.54f, 0.535f, 0.52f}};
 
 // The line is brightest where air reaches the hot char first, and fades behind.
 constexpr Stop kEmber[] = {{0.0, 0.0f, 0.0f, 0.0f},     {0.12, 1.6f, 0.30f, 0.02f},

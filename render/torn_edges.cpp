@@ -25,6 +25,24 @@ class Outline {
         }
     }
 
+    // Leaves holes of a few cells as they are: the filter would close them.
+    void keep_small_holes() {
+        std::vector<std::size_t> small;
+        for (std::size_t s = 0; s < beside_.size(); ++s) {
+            std::size_t before = s, at = s;
+            int steps = 0;
+            do {
+                if (beside_[at].size() != 2) break;
+                const std::size_t next = beside_[at][beside_[at][0].site == before ? 1 : 0].site;
+                before = at;
+                at = next;
+            } while (++steps < kSmallHole && at != s);
+            if (at == s && steps > 0) small.push_back(s);
+        }
+        for (const std::size_t s : small)
+            beside_[s].clear();
+    }
+
     // One step of the filter: every site by `share` towards the middle of both neighbours.
     void filter(double share) {
         const Shifts before = moved_;
@@ -45,6 +63,7 @@ class Outline {
     }
 
   private:
+    static constexpr int kSmallHole = 12;  // [edges]
     struct Step {
         std::size_t site;
         std::array<double, 2> away;  // [cells] main, cross
@@ -96,6 +115,7 @@ std::vector<std::array<double, 2>> outline_shifts(const SheetView& sheet) {
     const Index cells = across * (sheet.column_count - 1);
     if (static_cast<Index>(sheet.quads.size()) == cells) return {};
     Outline outline(sheet);
+    outline.keep_small_holes();
     constexpr int kRounds = 80;  // smooths steps of up to eight cells
     for (int round = 0; round < kRounds; ++round) {
         outline.filter(0.50);

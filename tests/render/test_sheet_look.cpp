@@ -143,8 +143,9 @@ TEST(BurningPaper, ATornEdgeIsFibrousAndTheSheetsOwnBorderIsNot) {
     staged.quads.erase(staged.quads.begin() + 40);  // inside
     staged.topology_version = 2;
     const Image torn = rig.draw(staged.view(), params, 960, 540);
-    // a hole of 26 mm × 25 mm at 1.1 pixels/mm, and up to 1.5 mm of fibres around it
-    EXPECT_GT(compare(whole, torn).pixels, 26 * 25);
+    // a hole of 26 mm × 25 mm, whose corners wander by up to 6 mm, at 1.1 pixels/mm, and up to
+    // 1.5 mm of fibres around it
+    EXPECT_GT(compare(whole, torn).pixels, 500);
     EXPECT_LT(compare(whole, torn).pixels, 1460);
 }
 
