@@ -6,8 +6,8 @@ namespace ember {
 namespace {
 
 bool same(const RenderParams& a, const RenderParams& b) {
-    return std::ranges::all_of(render_param_rows(),
-                               [&](const ParamInfo& row) { return row.value(&a) == row.value(&b); });
+    return std::ranges::all_of(
+        render_param_rows(), [&](const ParamInfo& row) { return row.value(&a) == row.value(&b); });
 }
 
 }  // namespace
