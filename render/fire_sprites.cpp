@@ -90,7 +90,7 @@ FireSprite base(const Flying& p, const FireLook& look) {
     const double fade = smooth(0.03, 0.18, p.heat) * smooth(0.0, 0.02, p.age) *
                         (1.0 - smooth(0.05, kBaseLife, p.age));
     s.flame = static_cast<float>(0.10 * fade);
-    s.blue = static_cast<float>(0.6 * fade);
+    s.blue = static_cast<float>(0.4 * fade);
     return s;
 }
 

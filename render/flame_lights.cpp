@@ -63,10 +63,13 @@ FlameLights gather_flame_lights(const WorldView& world) {
     const double zero = strongest.size() > count ? strongest[count].weight : 0.0;
     for (std::size_t i = 0; i < count; ++i)
         kept += strongest[i].weight - zero;
+    // soot hides the soot behind it: a deep fire is brighter than a shallow one, but not in
+    // proportion
+    const double seen = total / (1 + total * kPerParticle / kDeepestFire);
     FlameLights lights;
     for (std::size_t i = 0; i < count && kept > 0; ++i) {
         const Cluster& c = strongest[i];
-        const double strength = (c.weight - zero) * total / kept * kPerParticle;
+        const double strength = (c.weight - zero) * seen / kept * kPerParticle;
         lights.light[i] = {static_cast<float>(c.x / c.weight), static_cast<float>(c.y / c.weight),
                            static_cast<float>(c.z / c.weight), static_cast<float>(strength)};
         ++lights.count;

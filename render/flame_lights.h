@@ -9,6 +9,7 @@
 namespace ember {
 
 inline constexpr int kMostFlameLights = 16;
+inline constexpr double kDeepestFire = 4;  ///< [1] strength that all lights together stay below
 
 /// xyz: place [m]; w: strength [1].
 struct FlameLights {
@@ -18,8 +19,9 @@ struct FlameLights {
 
 /// Shares particles out to the corners of coarse cells of the world; the strongest corners become
 /// lights, each at the centre of what it has got. Continuous in time: a light comes and goes with
-/// strength 0. The lights together are as strong as all particles. The same fire gives the same
-/// lights, in the same order.
+/// strength 0. Soot hides the soot behind it, so particles that add up
+/// to a strength S give lights that add up to S / (1 + S / kDeepestFire). The same fire gives the
+/// same lights, in the same order.
 [[nodiscard]] FlameLights gather_flame_lights(const WorldView& world);
 
 /// Share of its life that a particle has lived, 0 .. 1.

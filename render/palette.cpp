@@ -75,8 +75,8 @@ Colour flame_colour(double u) {
     // Soot glows like a black body. Of 1300 to 1900 K daylight film would show red to orange only;
     // eyes in a dark room see yellow, so the scale reaches higher.
     const double x = std::clamp(u, 0.0, 1.0);
-    const double brightness = 3.0 * std::pow(x, 1.8);
-    return static_cast<float>(brightness) * blackbody_colour(1600.0 + 1900.0 * x * x);
+    const double brightness = 3.6 * std::pow(x, 2.0);
+    return static_cast<float>(brightness) * blackbody_colour(1550.0 + 1450.0 * x * x);
 }
 Colour heat_map(double x) {
     return between_stops(kHeat, x);

@@ -115,6 +115,8 @@ void main() {
                    flakes * (1.3e-4 * smoothstep(0.0, 0.9, crack.r) - 1.5e-4 * crack.r * 0.35 +
                              3e-5 * smoothstep(0.0, 0.5, crack.b)) +
                    1.6e-3 * wander.y * smoothstep(-14.0, 0.0, charred);
+    // torn edges are as thick as paper, which the camera sees when it is near
+    height += 6e-5 * smoothstep(0.0, 0.14, torn);
     vec3 n = normalize(v_normal);
     vec3 to_eye = normalize(u_eye - v_place);
     if (!faces) n = -n;

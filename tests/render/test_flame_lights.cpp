@@ -19,11 +19,25 @@ TEST(FlameLights, ColdParticlesGiveNoLight) {
     EXPECT_EQ(gather_flame_lights(staged.view()).count, 0);
 }
 
-double total_strength(const FlameLights& lights) {
+double light_of(const FlameLights& lights) {
     double total = 0;
     for (int i = 0; i < lights.count; ++i)
         total += static_cast<double>(lights.light[static_cast<std::size_t>(i)].w());
     return total;
+}
+
+// What the particles add up to, of which the lights show what is not hidden.
+double total_strength(const FlameLights& lights) {
+    return light_of(lights) / (1 - light_of(lights) / kDeepestFire);
+}
+
+TEST(FlameLights, ADeepFireIsNotAsBrightAsAllItsParticles) {
+    StagedWorld staged = test::hanging_sheet(3, 3);
+    for (int i = 0; i < 40000; ++i)
+        staged.add_particle({0.02, 0.32, 0.04}, test::kFlame);
+    const double deep = light_of(gather_flame_lights(staged.view()));
+    EXPECT_LT(deep, kDeepestFire);
+    EXPECT_GT(deep, 0.8 * kDeepestFire);
 }
 
 TEST(FlameLights, LampsStandWhereTheParticlesAreAndAddThemUp) {
