@@ -119,8 +119,9 @@ void check_state(WorldState& state, StepReport& report) {
     }
     const HeatLedger& h = state.heat;
     const double given = h.given_fire + h.given_burning;
-    const double missing = h.stored + h.lost_air + h.lost_held - given;
-    if (!(std::abs(missing) <= std::max(kHeatMargin * given, kSmallestEnergy))) {
+    const double missing = h.stored + h.lost_air + h.lost_held - given - h.change_edit;
+    const double largest = std::max(given, std::abs(h.change_edit));
+    if (!(std::abs(missing) <= std::max(kHeatMargin * largest, kSmallestEnergy))) {
         fail(report, Stage::Heat,
              in_joules("heat ledger is off by %.3g J of %.3g J given", missing, given));
     }

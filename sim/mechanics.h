@@ -18,7 +18,7 @@ namespace ember {
 struct NodeLoads {
     std::vector<double> inverse_mass;  ///< [1/kg]; 0 for held nodes
     Vector3Array force;        ///< [N] constant while it is moved: gravity, fire, wind, contact
-    Vector3Array fire;         ///< [N] the part of it that is fire's
+    Vector3Array fire;         ///< [N] the part of it that is fire's and a hand's
     Vector3Array wind;         ///< [N] the part of it that is the wind's; empty: none
     Vector3Array contact;      ///< [N] the part of it that is contact's, see contact.h; empty: none
     std::vector<double> drag;  ///< [kg/s] across the sheet

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/contact.h"
+#include "sim/hand.h"
 #include "sim/loads.h"
 #include "sim/sleep.h"
 #include "sim/stability.h"
@@ -48,6 +49,8 @@ bool prepare_motion(const Tick& t, StepReport& report) {
         SheetWorkspace& w = t.work.sheets[s];
         report.sheet = static_cast<Index>(s);
         gather_loads(t.params, sheet, t.work.fire[s], w.loads, t.state.time + 0.5 * t.dt);
+        if (t.params.hand.on && t.params.hand.sheet == static_cast<std::int64_t>(s) + 1)
+            pull_by_hand(t.params.hand, w.lattice, sheet, w.loads);
         t.state.energy.loss_sleep +=
             find_awake_rows(w.lattice, t.params.numerics, w.loads, sheet, w.awake, report.counters);
         if (w.awake.spans.empty()) continue;

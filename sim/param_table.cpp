@@ -70,26 +70,25 @@ using P = Params;
 constexpr ParamInfo kRows[] = {
     // ---- paper -------------------------------------------------------------------------------
     real<&P::paper, &PaperParams::grammage>(
-        "paper.grammage", "G", unit::gram_per_square_metre, {5, 5000}, {18, 400}, Logarithmic,
-        Rebuild,
+        "paper.grammage", "G", unit::gram_per_square_metre, {5, 5000}, {18, 400}, Logarithmic, Live,
         {"Mass of one square metre. Heavier paper burns slower and crumples less.",
          "Sec. 3, table 2"}),
     real<&P::paper, &PaperParams::density>(
         "paper.density", "rho", unit::kilogram_per_cubic_metre, {50, 5000}, {250, 1500}, Linear,
-        Rebuild,
+        Live,
         {"Mass of one cubic metre; caliper is grammage / density. Denser paper conducts "
          "heat more slowly.",
          "Sec. 3, table 2"}),
     real<&P::paper, &PaperParams::c_s>(
-        "paper.c_s", "c_s", unit::one, {1e-6, 1}, {1e-4, 1}, Logarithmic, Rebuild,
+        "paper.c_s", "c_s", unit::one, {1e-6, 1}, {1e-4, 1}, Logarithmic, Live,
         {"Dimensional stability: the quality of the paper. Higher burns slower and shrinks less.",
          "Sec. 4.1, eqs. 2 and 4"}),
     real<&P::paper, &PaperParams::specific_heat>(
         "paper.specific_heat", "c", unit::joule_per_kilogram_kelvin, {1, 1e5}, {1000, 2000}, Linear,
-        Rebuild, {"Specific heat capacity. Higher heats up more slowly.", "Table 1"}),
+        Live, {"Specific heat capacity. Higher heats up more slowly.", "Table 1"}),
     real<&P::paper, &PaperParams::conductivity>(
-        "paper.conductivity", "D", unit::watt_per_metre_kelvin, {0, 10}, {0.02, 0.2}, Linear,
-        Rebuild, {"Thermal conductivity. Higher spreads heat faster along the fibres.", "Table 1"}),
+        "paper.conductivity", "D", unit::watt_per_metre_kelvin, {0, 10}, {0.02, 0.2}, Linear, Live,
+        {"Thermal conductivity. Higher spreads heat faster along the fibres.", "Table 1"}),
     // ---- shrinkage ---------------------------------------------------------------------------
     real<&P::shrinkage, &ShrinkageParams::factor>(
         "shrinkage.factor", "factor", unit::one, {0, 1e-6}, {1e-12, 1e-8}, Logarithmic, Live,
@@ -218,32 +217,32 @@ constexpr ParamInfo kRows[] = {
          "Our choice"}),
     // ---- springs -----------------------------------------------------------------------------
     real<&P::springs, &SpringParams::stiffness_scale>(
-        "springs.stiffness_scale", "", unit::one, {0.01, 1e4}, {1, 200}, Logarithmic, Rebuild,
+        "springs.stiffness_scale", "", unit::one, {0.01, 1e4}, {1, 200}, Logarithmic, Live,
         {"Multiplies every spring stiffness; 1 is the paper, which hangs like rubber.",
          "Our choice"}),
     real<&P::springs, &SpringParams::structural>(
         "springs.structural", "k_structural", unit::per_second_squared, {0, 1e8}, {7e3, 7e3},
-        Logarithmic, Rebuild, {"Stiffness of structural springs per node weight.", "Sec. 4.1"}),
+        Logarithmic, Live, {"Stiffness of structural springs per node weight.", "Sec. 4.1"}),
     real<&P::springs, &SpringParams::diagonal>(
         "springs.diagonal", "k_diagonal", unit::per_second_squared, {0, 1e8}, {7e3, 7e3},
-        Logarithmic, Rebuild, {"Stiffness of diagonal springs per node weight.", "Sec. 4.1"}),
+        Logarithmic, Live, {"Stiffness of diagonal springs per node weight.", "Sec. 4.1"}),
     real<&P::springs, &SpringParams::bending>(
         "springs.bending", "k_bending", unit::per_second_squared, {0, 1e8}, {2e4, 2e4}, Logarithmic,
-        Rebuild, {"Stiffness of bending springs per node weight.", "Sec. 4.1"}),
+        Live, {"Stiffness of bending springs per node weight.", "Sec. 4.1"}),
     real<&P::springs, &SpringParams::damping>(
-        "springs.damping", "d", unit::hertz, {0, 1e5}, {5, 5}, Logarithmic, Rebuild,
+        "springs.damping", "d", unit::hertz, {0, 1e5}, {5, 5}, Logarithmic, Live,
         {"Damping of every spring per node weight.", "Sec. 4.1"}),
     choice<&P::springs, &SpringParams::stiffness_law>(
-        "springs.stiffness_law", kStiffnessLaws, Rebuild,
+        "springs.stiffness_law", kStiffnessLaws, Live,
         {"per_area: the sheet's stiffness does not depend on the lattice. per_node_mass: as "
          "printed; equal at 32x48.",
          "Sec. 4.1"}),
     real<&P::springs, &SpringParams::variation>(
         "springs.variation", "", unit::percent,
-        {0, 90}, {0, 10}, Linear, Rebuild,
+        {0, 90}, {0, 10}, Linear, Live,
         {"Random variation of structural stiffness from fibre to fibre.", "Sec. 4.1, fig. 3"}),
     choice<&P::springs, &SpringParams::variation_pattern>(
-        "springs.variation_pattern", kPatterns, Rebuild,
+        "springs.variation_pattern", kPatterns, Live,
         {"per_fibre: one value per fibre, long ones along the main direction. per_spring: each "
          "spring its own.",
          "Sec. 4.1, fig. 3"}),
@@ -342,6 +341,30 @@ constexpr ParamInfo kRows[] = {
     real<&P::wind, &WindParams::gust_period>("wind.gust_period", "", unit::second, {0.01, 3600},
                                              {0.5, 10}, Logarithmic, Live,
                                              {"From gust to gust.", "Our choice"}),
+    // ---- hand --------------------------------------------------------------------------------
+    toggle<&P::hand, &HandParams::on>(
+        "hand.on", Live,
+        {"A hand holds the sheet at one site and pulls it; in the window, a right drag.",
+         "Our choice"}),
+    integer<&P::hand, &HandParams::sheet>("hand.sheet", "", {1, 4096}, {1, 4}, Live,
+                                          {"Which sheet, counted from 1.", "Our choice"}),
+    integer<&P::hand, &HandParams::row>("hand.row", "", {0, 4096}, {0, 128}, Live,
+                                        {"Row of the site that it holds.", "Our choice"}),
+    integer<&P::hand, &HandParams::column>("hand.column", "", {0, 4096}, {0, 192}, Live,
+                                           {"Column of the site that it holds.", "Our choice"}),
+    real<&P::hand, &HandParams::x>("hand.x", "", unit::millimetre, kFar, {-500, 500}, Linear, Live,
+                                   {"Where it pulls the site to, to the right.", "Our choice"}),
+    real<&P::hand, &HandParams::y>("hand.y", "", unit::millimetre, kFar, {0, 1000}, Linear, Live,
+                                   {"Where it pulls the site to, above the ground.", "Our choice"}),
+    real<&P::hand, &HandParams::z>(
+        "hand.z", "", unit::millimetre, kFar, {-500, 500}, Linear, Live,
+        {"Where it pulls the site to, towards the viewer.", "Our choice"}),
+    real<&P::hand, &HandParams::radius>(
+        "hand.radius", "", unit::millimetre, {1, 1000}, {5, 50}, Logarithmic, Live,
+        {"How much of the paper it holds. Wider pulls more.", "Our choice"}),
+    real<&P::hand, &HandParams::response>(
+        "hand.response", "", unit::millisecond, {40, 10000}, {50, 500}, Logarithmic, Live,
+        {"How soon the paper follows. Shorter pulls harder.", "Our choice"}),
     // ---- contact -----------------------------------------------------------------------------
     toggle<&P::contact, &ContactParams::sheets>("contact.sheets", Live,
                                                 {"Whether sheets touch each other.", "Our choice"}),
@@ -575,6 +598,7 @@ static_assert(row_count(kRows, "plate") == field_count<PlateParams>, "every fiel
 static_assert(row_count(kRows, "curl") == field_count<CurlParams>, "every field needs a row");
 static_assert(row_count(kRows, "world") == field_count<WorldParams>, "every field needs a row");
 static_assert(row_count(kRows, "wind") == field_count<WindParams>, "every field needs a row");
+static_assert(row_count(kRows, "hand") == field_count<HandParams>, "every field needs a row");
 static_assert(row_count(kRows, "contact") == field_count<ContactParams>, "every field needs a row");
 static_assert(row_count(kRows, "heat") == field_count<HeatParams>, "every field needs a row");
 static_assert(row_count(kRows, "burning") == field_count<BurningParams>, "every field needs a row");
@@ -586,7 +610,7 @@ static_assert(row_count(kRows, "fracture") == field_count<FractureParams>,
               "every field needs a row");
 static_assert(row_count(kRows, "numerics") == field_count<NumericsParams>,
               "every field needs a row");
-static_assert(field_count<Params> == 14 + 4, "every group needs rows and an assertion above");
+static_assert(field_count<Params> == 15 + 4, "every group needs rows and an assertion above");
 
 }  // namespace
 

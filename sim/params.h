@@ -132,6 +132,16 @@ struct WindParams {
     double gust_period = 2;      // [s]
 };
 
+/// A hand that holds a sheet at one place and pulls (hand.h).
+struct HandParams {
+    bool on = false;
+    std::int64_t sheet = 1;            // counted from 1
+    std::int64_t row = 0, column = 0;  // site that it holds
+    double x = 0, y = 0, z = 0;        // [m] where it wants it
+    double radius = 0.02;              // [m] of what it holds, on the paper
+    double response = 0.08;            // [s]
+};
+
 /// Heat in the sheet (section 4.2, eqs. 2 and 3).
 struct HeatParams {
     double ambient = 293.15;       // [K]
@@ -254,6 +264,7 @@ struct Params {
     CurlParams curl;
     WorldParams world;
     WindParams wind;
+    HandParams hand;
     ContactParams contact;
     HeatParams heat;
     BurningParams burning;

@@ -1,5 +1,9 @@
 #include "sim/world.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "sim/heat.h"
 #include "sim/lighter.h"
 #include "sim/parallel.h"
 #include "sim/param_table.h"
@@ -38,6 +42,14 @@ SheetView view_of(const SheetState& sheet, const SheetPlan& plan, const Lattice&
     return view;
 }
 
+// Whether the lattice would be built differently.
+bool material_differs(const Params& a, const Params& b) {
+    return std::ranges::any_of(sim_param_rows(), [&](const ParamInfo& row) {
+        const bool material = row.group() == "paper" || row.group() == "springs";
+        return material && row.value(&a) != row.value(&b);
+    });
+}
+
 }  // namespace
 
 World::World(Scene scene, const Params& params, int threads)
@@ -46,13 +58,9 @@ World::World(Scene scene, const Params& params, int threads)
       work_(std::make_unique<Workspace>()),
       pool_(std::make_unique<ThreadPool>(threads)) {
     validate(scene_, caliper(params.paper));
-    const auto seed = static_cast<std::uint64_t>(params.numerics.seed);
-    for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
-        SheetWorkspace& w = work_->sheets.emplace_back();
-        w.lattice = make_lattice(scene_.sheets[s], params.paper, params.springs, seed, s);
-        w.plate = make_plate(scene_.sheets[s], w.lattice, params.paper, params.plate);
-        state_.sheets.push_back(make_sheet(scene_.sheets[s], w.lattice, params, s));
-    }
+    build_lattices();
+    for (std::size_t s = 0; s < scene_.sheets.size(); ++s)
+        state_.sheets.push_back(make_sheet(scene_.sheets[s], work_->sheets[s].lattice, params, s));
     refresh_derived(params_, state_, *pool_, *work_);
     record_energy(measure_energy(params_, state_, *pool_, *work_), state_.energy);
     state_.energy.initial =
@@ -60,11 +68,22 @@ World::World(Scene scene, const Params& params, int threads)
     state_.energy.initial_gravitational = state_.energy.gravitational;
 }
 
+void World::build_lattices() {
+    *work_ = Workspace();
+    const auto seed = static_cast<std::uint64_t>(params_.numerics.seed);
+    for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
+        SheetWorkspace& w = work_->sheets.emplace_back();
+        w.lattice = make_lattice(scene_.sheets[s], params_.paper, params_.springs, seed, s);
+        w.plate = make_plate(scene_.sheets[s], w.lattice, params_.paper, params_.plate);
+    }
+}
+
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 StepReport World::step(StageObserver* observer) {
+    take_scripted();
     const bool checked = params_.numerics.check;
     if (checked) {
         // a copy makes room for what it holds and no more, but a fire grows in nearly every tick
@@ -84,13 +103,32 @@ StepReport World::step(StageObserver* observer) {
             state_.refinement = from + retry - (relax ? 1 : 0);
             return report;
         }
-        if (checked) restore(work_->before);
+        if (checked) put_back(work_->before);
         if (!checked || retry == kMostRetries || from + retry == kMostRefinement) return report;
     }
 }
 
+void World::take_material(const Params& params) {
+    validate(scene_, caliper(params.paper));
+    const double heavier = params.paper.grammage / params_.paper.grammage;
+    params_ = params;
+    build_lattices();
+    for (SheetState& sheet : state_.sheets) {
+        for (double& mass : sheet.mass)
+            mass *= heavier;
+        for (double& mass : sheet.initial_mass)
+            mass *= heavier;
+    }
+    HeatLedger& heat = state_.heat;
+    const double before = std::exchange(heat.stored, 0.0);
+    for (const SheetState& sheet : state_.sheets)
+        heat.stored += stored_heat(sheet, params.paper, params.heat.ambient);
+    heat.change_edit += heat.stored - before;
+}
+
 bool World::apply(const Params& params) {
     if (compare(params, params_) == ParamChange::Rebuild) return false;
+    if (material_differs(params, params_)) take_material(params);
     params_ = params;
     for (SheetState& sheet : state_.sheets)
         wake(sheet);
@@ -100,7 +138,25 @@ bool World::apply(const Params& params) {
     return true;
 }
 
-void World::restore(WorldState state) {
+void World::set_script(const Params& base, std::vector<TimedParams> script) {
+    const Params* before = &base;
+    for (const TimedParams& entry : script) {
+        if (compare(entry.params, *before) == ParamChange::Rebuild)
+            throw std::invalid_argument("only live parameters may change in mid-burn");
+        before = &entry.params;
+    }
+    base_ = base;
+    script_ = std::move(script);
+    const auto done = [&](const TimedParams& entry) { return entry.tick < state_.tick; };
+    taken_ = static_cast<std::size_t>(std::ranges::count_if(script_, done));
+}
+
+void World::take_scripted() {
+    for (; taken_ < script_.size() && script_[taken_].tick <= state_.tick; ++taken_)
+        static_cast<void>(apply(script_[taken_].params));  // set_script has looked
+}
+
+void World::put_back(WorldState state) {
     state_ = std::move(state);
     for (SheetWorkspace& w : work_->sheets)
         w.network.topology_version = w.plate.topology_version = ~0ull;
@@ -108,14 +164,26 @@ void World::restore(WorldState state) {
     refresh_derived(params_, state_, *pool_, *work_);
 }
 
+void World::restore(WorldState state) {
+    if (!script_.empty()) {
+        const auto done = [&](const TimedParams& entry) { return entry.tick < state.tick; };
+        taken_ = static_cast<std::size_t>(std::ranges::count_if(script_, done));
+        const Params& before = taken_ == 0 ? base_ : script_[taken_ - 1].params;
+        const bool other = material_differs(before, params_);
+        params_ = before;
+        if (other) build_lattices();
+    }
+    put_back(std::move(state));
+}
+
 std::uint64_t World::hash() const {
     return hash_of(state_);
 }
 
-WorldView World::view() const {
+WorldView World::view(const WorldState& state) const {
     WorldView view;
-    view.tick = state_.tick;
-    view.time = state_.time;
+    view.tick = state.tick;
+    view.time = state.time;
     view.ambient = params_.heat.ambient;
     view.ignition = params_.burning.ignition;
     view.residual_mass = params_.burning.residual_mass;
@@ -123,12 +191,11 @@ WorldView World::view() const {
                         (params_.burning.burn_rate * params_.burning.burn_speed);
     view.fire_temperature = params_.fire.temperature;
     view.ground = params_.world.ground;
-    view.lighters = lighters_at(state_.time);
-    for (std::size_t s = 0; s < state_.sheets.size(); ++s) {
-        view.sheets.push_back(
-            view_of(state_.sheets[s], scene_.sheets[s], work_->sheets[s].lattice));
+    view.lighters = lighters_at(state.time);
+    for (std::size_t s = 0; s < state.sheets.size(); ++s) {
+        view.sheets.push_back(view_of(state.sheets[s], scene_.sheets[s], work_->sheets[s].lattice));
     }
-    const FireState& fire = state_.fire;
+    const FireState& fire = state.fire;
     view.particles = {fire.position.x, fire.position.y, fire.position.z,  fire.velocity.x,
                       fire.velocity.y, fire.velocity.z, fire.temperature, fire.birth,
                       fire.death,      fire.id};

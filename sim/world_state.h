@@ -85,7 +85,7 @@ void for_each_array(FireState& fire, Visitor&& visit) {
 struct EnergyLedger {
     double initial = 0;                                  ///< kinetic + elastic + gravitational
     double kinetic = 0, elastic = 0, gravitational = 0;  ///< now
-    double work_fire = 0;                                ///< by fire particles
+    double work_fire = 0;                                ///< by fire particles and a hand
     double work_wind = 0;                                ///< by the air's own motion
     double change_scheme = 0;                            ///< see TickWork::scheme
     double initial_gravitational = 0;                    ///< its part in `initial`
@@ -107,6 +107,7 @@ struct HeatLedger {
     double stored = 0;                         ///< above ambient, now
     double given_fire = 0, given_burning = 0;  ///< by particles and by burning itself
     double lost_air = 0, lost_held = 0;        ///< to the air, to held edges
+    double change_edit = 0;                    ///< live parameters: another heat capacity
 };
 
 /// Totals since t = 0.
@@ -192,6 +193,7 @@ void for_each_field(State& s, Visitor&& visit) {
     visit("heat.stored", h.stored), visit("heat.given_fire", h.given_fire);
     visit("heat.given_burning", h.given_burning), visit("heat.lost_air", h.lost_air);
     visit("heat.lost_held", h.lost_held);
+    if (h.change_edit != 0) visit("heat.change_edit", h.change_edit);
     auto& t = s.totals;
     visit("totals.cuts", t.cuts), visit("totals.ignitions", t.ignitions);
     visit("totals.burnouts", t.burnouts), visit("totals.retries", t.retries);
