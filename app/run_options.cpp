@@ -9,6 +9,7 @@
 #include "app/exit_code.h"
 #include "app/preset_io/mask_file.h"
 #include "app/preset_io/nearest_word.h"
+#include "app/preset_io/steering.h"
 #include "sim/param_table.h"
 #include "sim/scene_check.h"
 
@@ -79,6 +80,7 @@ std::vector<Diagnostic> scene_problems(Params& params, const PresetInfo& info) {
     } catch (const SceneError& e) {
         problems.push_back(place_error(info, e));
     }
+    static_cast<void>(script_of(params, info, problems));
     return problems;
 }
 
@@ -122,7 +124,10 @@ LoadedPreset load_run(const RunOptions& options, const std::vector<Assignment>& 
 
 World build_world(const LoadedPreset& preset, int threads) {
     try {
-        return make_world(preset.params, threads);
+        World world = make_world(preset.params, threads);
+        std::vector<Diagnostic> ignored;  // load_run() has reported them
+        world.set_script(preset.params, script_of(preset.params, preset.info, ignored));
+        return world;
     } catch (const SceneError& e) {  // of parameters that have been changed since
         throw InputError(diagnostics_text({place_error(preset.info, e)}));
     }

@@ -116,6 +116,7 @@ class Reader {
             (name == "title" ? result_.info.title : result_.info.description) = *text;
             return;
         }
+        if (name == "events") return read_events(node);
         if (const ParamList* list = find_list(name, bindings_)) {
             read_list(*list, node);
             return;
@@ -148,6 +149,32 @@ class Reader {
             for (const auto& [inner, value] : table) {
                 apply(element + '.' + std::string(inner.str()), inner.source(), value);
             }
+        }
+    }
+
+    // [[events]] replace those of what is inherited.
+    void read_events(const toml::node& node) {
+        result_.info.events.clear();
+        const toml::array* array = node.as_array();
+        if (array == nullptr || !array->is_array_of_tables())
+            return report(node.source(), "events", "expected tables [[events]], one for each");
+        for (const toml::node& element : *array) {
+            const toml::table& table = *element.as_table();
+            const auto tick = table["tick"].value<std::int64_t>();
+            const toml::array* set = table["set"].as_array();
+            const bool texts = set != nullptr && set->is_homogeneous(toml::node_type::string);
+            if (!tick || *tick < 0 || !texts || table.size() != 2) {
+                report(table.source(), "events",
+                       "expected tick = 120 and set = [\"wind.x=2\", ...], and nothing else");
+                continue;
+            }
+            const toml::source_position at = table.source().begin;
+            PresetEvent event{static_cast<std::uint64_t>(*tick), {}, {file_}};
+            event.place.line = static_cast<int>(at.line);
+            event.place.column = static_cast<int>(at.column);
+            for (const toml::node& text : *set)
+                event.set.push_back(*text.value<std::string>());
+            result_.info.events.push_back(std::move(event));
         }
     }
 

@@ -31,6 +31,14 @@ struct PresetPlace {
     int line = 0, column = 0;
 };
 
+/// Edits in mid-burn: [[events]] with `tick = 120` and `set = ["wind.x=2", ...]`, each as after
+/// --set. "lighters=2" makes so many of them.
+struct PresetEvent {
+    std::uint64_t tick = 0;
+    std::vector<std::string> set;
+    PresetPlace place;
+};
+
 struct PresetInfo {
     std::string title, description;
     std::filesystem::path path;
@@ -38,6 +46,7 @@ struct PresetInfo {
     /// Of the value of every key that was set last: "sheet.rows", "sheets.2.rows", and "sheets.2"
     /// for the element itself.
     std::map<std::string, PresetPlace> places = {};
+    std::vector<PresetEvent> events = {};  ///< as written; steering.h makes them a script
 };
 
 struct PresetResult {

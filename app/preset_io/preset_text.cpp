@@ -59,6 +59,12 @@ std::string preset_text(std::span<const ParamBinding> bindings, const PresetInfo
             }
         }
     }
+    for (const PresetEvent& event : info.events) {
+        out << "\n[[events]]\ntick = " << event.tick << "\nset = [";
+        for (std::size_t i = 0; i < event.set.size(); ++i)
+            out << (i > 0 ? ", " : "") << quoted(event.set[i]);
+        out << "]\n";
+    }
     return out.str();
 }
 
