@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/atomic_file.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/frame_list.h"
 #include "app/frame_source.h"
 #include "app/interrupt.h"
 #include "app/picture_sink.h"
+#include "app/preset_io/atomic_file.h"
 #include "app/preset_io/parameter_value.h"
 #include "app/progress.h"
 #include "app/run_options.h"

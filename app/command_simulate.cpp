@@ -3,13 +3,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/atomic_file.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/file_pattern.h"
 #include "app/frame_list.h"
 #include "app/frame_source.h"
 #include "app/interrupt.h"
+#include "app/preset_io/atomic_file.h"
 #include "app/progress.h"
 #include "app/run_options.h"
 #include "app/state_ply.h"

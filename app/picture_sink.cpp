@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "app/atomic_file.h"
 #include "app/exit_code.h"
 #include "app/file_pattern.h"
+#include "app/preset_io/atomic_file.h"
 #include "app/preset_io/parameter_value.h"
 #include "app/video_encoder.h"
 #include "render/exr_file.h"

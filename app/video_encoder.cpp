@@ -12,8 +12,8 @@
 #include <cstring>
 #include <vector>
 
-#include "app/atomic_file.h"
 #include "app/exit_code.h"
+#include "app/preset_io/atomic_file.h"
 #include "app/preset_io/parameter_value.h"
 
 extern char** environ;

@@ -5,8 +5,8 @@
 #include <ctime>
 #include <map>
 
-#include "app/atomic_file.h"
 #include "app/exit_code.h"
+#include "app/preset_io/atomic_file.h"
 #include "app/run_options.h"
 #include "render/renderer.h"
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/atomic_file.h"
 #include "app/bench/benches.h"
 #include "app/bench/chart.h"
 #include "app/exit_code.h"
+#include "app/preset_io/atomic_file.h"
 #include "app/run_options.h"
 #include "app/stats_json.h"
 

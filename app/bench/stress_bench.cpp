@@ -2,11 +2,11 @@
 #include <cstdio>
 #include <map>
 
-#include "app/atomic_file.h"
 #include "app/bench/benches.h"
 #include "app/bench/chart.h"
 #include "app/bench/stress_run.h"
 #include "app/exit_code.h"
+#include "app/preset_io/atomic_file.h"
 
 namespace ember {
 namespace {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/atomic_file.h"
 #include "app/bench/benches.h"
 #include "app/bench/validate_table.h"
 #include "app/exit_code.h"
+#include "app/preset_io/atomic_file.h"
 #include "app/run_options.h"
 
 namespace ember {

@@ -1,12 +1,12 @@
 #include <cstdio>
 
-#include "app/atomic_file.h"
 #include "app/bench/accuracy_page.h"
 #include "app/bench/benches.h"
 #include "app/bench/burn_problem.h"
 #include "app/bench/cosine_problem.h"
 #include "app/bench/swing_problem.h"
 #include "app/exit_code.h"
+#include "app/preset_io/atomic_file.h"
 
 namespace ember {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/atomic_file.h"
 #include "app/bench/chart.h"
+#include "app/preset_io/atomic_file.h"
 #include "sim/param_table.h"
 
 namespace ember {

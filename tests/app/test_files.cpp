@@ -1,8 +1,8 @@
 // Names of numbered files, lists of frames and times, and files that are whole or not there.
-#include "app/atomic_file.h"
 #include "app/exit_code.h"
 #include "app/file_pattern.h"
 #include "app/frame_list.h"
+#include "app/preset_io/atomic_file.h"
 #include "app/run_options.h"
 #include "temporary_folder.h"
 
@@ -71,7 +71,7 @@ TEST(AtomicFile, AFailureNamesTheFileAndLeavesNothing) {
         try {
             write_file(folder / name, "text");
             ADD_FAILURE() << name << " cannot be written";
-        } catch (const RunError& e) {
+        } catch (const std::runtime_error& e) {
             EXPECT_NE(std::string(e.what()).find((folder / "").string()), std::string::npos)
                 << e.what();
         }

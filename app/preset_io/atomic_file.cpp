@@ -1,12 +1,11 @@
-#include "app/atomic_file.h"
+#include "app/preset_io/atomic_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-
-#include "app/exit_code.h"
+#include <stdexcept>
 
 namespace ember {
 
@@ -21,7 +20,8 @@ void make_folder_of(const std::filesystem::path& path) {
     std::error_code error;
     std::filesystem::create_directories(path.parent_path(), error);
     if (error) {
-        throw RunError(path.parent_path().string() + ": cannot create: " + error.message());
+        throw std::runtime_error(path.parent_path().string() +
+                                 ": cannot create: " + error.message());
     }
 }
 
@@ -48,7 +48,7 @@ void write_file(const std::filesystem::path& path, std::string_view contents) {
     }
     if (good) return;
     ::unlink(temporary.c_str());
-    throw RunError(path.string() + ": cannot write: " + reason);
+    throw std::runtime_error(path.string() + ": cannot write: " + reason);
 }
 
 }  // namespace ember
