@@ -14,7 +14,8 @@ bool same(const RenderParams& a, const RenderParams& b) {
 
 bool KeptPicture::holds(const PictureKey& key) {
     const bool fits = key.width == key_.width && key.height == key_.height;
-    if (fits && key.revision == key_.revision && same(key.render, key_.render)) return true;
+    const bool current = key.revision == key_.revision && key.beside == key_.beside;
+    if (fits && current && same(key.render, key_.render)) return true;
     if (!fits) {
         allocate(colour_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, key.width, key.height);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
@@ -25,10 +26,10 @@ bool KeptPicture::holds(const PictureKey& key) {
     return false;
 }
 
-void KeptPicture::show() const {
+void KeptPicture::show(int x, int y) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, key_.width, key_.height, 0, 0, key_.width, key_.height,
+    glBlitFramebuffer(0, 0, key_.width, key_.height, x, y, x + key_.width, y + key_.height,
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 

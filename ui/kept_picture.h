@@ -11,6 +11,7 @@ namespace ember {
 /// What a picture depends on.
 struct PictureKey {
     std::uint64_t revision = 0;  ///< of the session
+    bool beside = false;         ///< of the one that burns beside it
     RenderParams render;
     int width = 0, height = 0;
 };
@@ -21,8 +22,8 @@ class KeptPicture {
     [[nodiscard]] bool holds(const PictureKey& key);
     /// Framebuffer to draw a new one into.
     [[nodiscard]] unsigned framebuffer() const { return framebuffer_.name(); }
-    /// Copies it into the lower left corner of the window.
-    void show() const;
+    /// Copies it into the window, with its lower left corner at (x, y) [pixels].
+    void show(int x, int y) const;
 
   private:
     Texture colour_;

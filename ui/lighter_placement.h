@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "render/camera.h"
 #include "sim/params.h"
 #include "sim/world_view.h"
 
@@ -15,11 +14,6 @@ enum class LighterSpot { LeftCorner, Middle, RightCorner };
 /// The lighter 20 mm below that place of the sheet as it is now [m]; corners are taken 5 mm
 /// inwards. Burnt-out nodes do not count; empty when nothing is left to light.
 [[nodiscard]] std::optional<Vector3> lighter_below(const SheetView& sheet, LighterSpot spot);
-
-/// Where a ray first meets a sheet [m]; failing that, the plane in which the first sheet started,
-/// so that a click beside the paper lands level with it. Empty when it meets neither.
-[[nodiscard]] std::optional<Vector3> pick(const WorldView& world, const Params& params,
-                                          const Vector3& eye, const Vector3& direction);
 
 /// Moves the lighter, which leaves its path, and makes sure that it burns from `now` [s] on unless
 /// it does already.

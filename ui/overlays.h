@@ -1,11 +1,16 @@
-// What lies over the picture: statistics, messages, the help sheet.
+// Windows that lie over the picture.
 #pragma once
 
 #include "ui/panels.h"
+#include "ui/paper_tools.h"
+#include "ui/plots.h"
 
 namespace ember {
 
-/// Draws them over the left `width` points of the window. Closing the help sheet edits the model.
-void draw_overlays(PanelModel& model, float width);
+/// Figures, profiler, plots, help, log, and what there is to say.
+void draw_overlays(const Layout& layout, Workbench& bench, const PlotData& plots);
+
+/// What is below the mouse on the paper, beside it.
+void draw_probe(const PictureCamera& picture, const Snapshot& shot);
 
 }  // namespace ember

@@ -1,44 +1,35 @@
-// The panels: which parameters stand where. They edit copies and say what a person asked for.
+// How the window is divided, and the panel of parameters.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "render/view_params.h"
-#include "sim/params.h"
-#include "ui/bindings.h"
-#include "ui/lighter_placement.h"
-#include "ui/session.h"
-#include "ui/speedometer.h"
+#include "ui/picture_controls.h"
+#include "ui/workbench.h"
 
 namespace ember {
 
-/// Copies that the panels edit, and values that they show.
-struct PanelModel {
-    Params params, preset_params;
-    RenderParams render, preset_render;
-    std::string title;  ///< of the preset
-    SessionStats stats;
-    FrameTimes times;
-    std::string message;                ///< what has gone wrong; empty when nothing has
-    std::vector<std::string> warnings;  ///< what is probably not meant
-    bool playing = false, placing = false;
-    bool show_panel = true, show_statistics = true, show_help = false;
+/// The parts of the window [points]; the picture has what the others leave.
+struct Layout {
+    float menu = 0;    ///< height at the top
+    float panel = 0;   ///< width at the right
+    float bottom = 0;  ///< height of timeline and status bar below the picture
+    PictureRect picture;
 };
+/// Of the present ImGui display and font.
+[[nodiscard]] Layout layout_of(const Workbench& bench);
 
-/// What a person asked for with the panels.
-struct PanelRequests {
-    bool apply_params = false;     ///< PanelModel::params holds an edit to apply
-    std::optional<Action> action;  ///< a button that stands for a key
-    std::optional<LighterSpot> lighter_spot;
-    bool light_now = false;
-};
+/// The panel at the right: first parameters, read-outs, lighter, everything else.
+void draw_main_panel(const Layout& layout, Workbench& bench);
 
-/// Width of the main panel at the right edge of the window [points]; the picture has the rest.
-[[nodiscard]] float panel_width(const PanelModel& model);
+/// The menus at the top, from the table of keys, with the preset's name.
+void draw_menu_bar(Workbench& bench);
 
-/// Lays out all panels for one frame.
-[[nodiscard]] PanelRequests draw_panels(PanelModel& model);
+/// Buttons of time, and the burn so far to drag along.
+void draw_timeline(const Layout& layout, Workbench& bench);
+
+/// One line of figures at the bottom.
+void draw_status_bar(const Layout& layout, const Workbench& bench, const struct FrameTimes& times);
+
+/// A button that stands for a key, which its tooltip tells. An empty label is the action's text.
+void action_button(Workbench& bench, Action action, const char* label, float width = 0,
+                   bool pressed = false);
 
 }  // namespace ember

@@ -53,6 +53,10 @@ std::string label_text(const ParamInfo& row) {
     return row.symbol == row.name() ? name : replaced(name, "_", " ");
 }
 
+std::string symbol_text(const ParamInfo& row) {
+    return replaced(replaced(std::string(row.symbol), "rho", "\u03c1"), "nu", "\u03bd");
+}
+
 std::string group_text(std::string_view group) {
     std::string text(group);
     if (!text.empty()) {

@@ -11,6 +11,9 @@ namespace ember {
 /// "held gravity"; the paper's own symbol is left as it is written.
 [[nodiscard]] std::string label_text(const ParamInfo& row);
 
+/// The paper's symbol as it prints it: "\u03c1" for "rho".
+[[nodiscard]] std::string symbol_text(const ParamInfo& row);
+
 /// "Paper" for the group "paper".
 [[nodiscard]] std::string group_text(std::string_view group);
 

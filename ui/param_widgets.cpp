@@ -5,19 +5,16 @@
 
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 
+#include "ui/param_marks.h"
 #include "ui/param_text.h"
 
 namespace ember {
 namespace {
-
-constexpr float kLabelWidth = 10.5f;  // [font sizes]
-constexpr float kTooltipWidth = 24.0f;
-constexpr float kTooltipDelay = 0.35f;  // [s]
 
 // A slider, except that its text is ours: ImGui would show a dragged value before it is rounded.
 // The value goes through `format` only where it is typed.
@@ -125,112 +122,42 @@ bool value_widget(const ParamInfo& row, const ParamObjects& objects) {
     return false;
 }
 
-// Beside the panel, so that it hides no other row; after a moment, so that it does not flicker.
-void tooltip(const ParamInfo& row, const ParamObjects& o) {
-    if (!ImGui::IsItemHovered() || ImGui::IsAnyItemActive()) return;
-    if (ImGui::GetCurrentContext()->HoveredIdTimer < kTooltipDelay) return;
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float edge = ImGui::GetCurrentWindow()->RootWindow->Pos.x;
-    const float top = ImGui::GetItemRectMin().y;
-    const float height = ImGui::GetMainViewport()->Size.y;
-    // rows of the lower half grow upwards
-    const bool low = top > 0.6f * height;
-    ImGui::SetNextWindowPos(ImVec2(edge - gap, low ? ImGui::GetItemRectMax().y : top),
-                            ImGuiCond_Always, ImVec2(1.0f, low ? 1.0f : 0.0f));
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * kTooltipWidth);
-    ImGui::TextUnformatted(std::string(row.help).c_str());
-    const bool number = row.kind == ParamKind::Real || row.kind == ParamKind::Integer;
-    if (number) {
-        ImGui::TextDisabled("tried: %s", shown_range(row, row.tested).c_str());
-        ImGui::TextDisabled("possible: %s", shown_range(row, row.hard).c_str());
-    }
-    ImGui::TextDisabled("preset: %s, default: %s", shown_value(row, o.preset).c_str(),
-                        shown_value(row, o.defaults).c_str());
-    std::string origin = std::string(row.key);
-    if (!row.symbol.empty()) origin += ", in the paper " + std::string(row.symbol);
-    origin += " (" + std::string(row.source) + ")";
-    ImGui::TextDisabled("%s", origin.c_str());
-    ImGui::TextUnformatted(row.applies == ParamApplies::Live ? "Acts at once."
-                                                             : "Restarts the scene.");
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-}
-
-bool reset_menu(const ParamInfo& row, const ParamObjects& o) {
-    if (!ImGui::BeginPopup("menu")) return false;
-    bool changed = false;
-    const auto offer = [&](const std::string& text, const ParamValue& value) {
-        if (!ImGui::MenuItem(text.c_str(), nullptr, false, row.value(o.edited) != value)) return;
-        row.assign(o.edited, value);
-        changed = true;
+bool holds(std::string_view text, std::string_view part) {
+    const auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) ==
+               std::tolower(static_cast<unsigned char>(b));
     };
-    offer("Reset to the preset: " + shown_value(row, o.preset), row.value(o.preset));
-    offer("Reset to the default: " + shown_value(row, o.defaults), row.value(o.defaults));
-    if (std::isinf(row.hard.max)) offer("No limit", std::numeric_limits<double>::infinity());
-    ImGui::EndPopup();
-    return changed;
-}
-
-// The name, with a dot when it differs from the preset, and a sign when a change restarts.
-bool label(const ParamInfo& row, const ParamObjects& o) {
-    const float size = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const bool edited = row.value(o.edited) != row.value(o.preset);
-    ImGui::InvisibleButton("label", ImVec2(size * kLabelWidth, height));
-    const bool reset = edited && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
-    if (reset) row.assign(o.edited, row.value(o.preset));
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float middle = corner.y + 0.5f * height;
-    const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-    if (edited) {
-        list.AddCircleFilled(ImVec2(corner.x + 0.2f * size, middle), 0.2f * size,
-                             ImGui::GetColorU32(ImGuiCol_CheckMark));
-    }
-    list.AddText(ImVec2(corner.x + 0.7f * size, middle - 0.5f * size),
-                 ImGui::GetColorU32(ImGuiCol_Text), label_text(row).c_str());
-    if (row.applies == ParamApplies::Rebuild) {
-        const ImVec2 centre(corner.x + (kLabelWidth - 0.6f) * size, middle);
-        list.PathArcTo(centre, 0.28f * size, -0.9f, 4.2f, 12);
-        list.PathStroke(faint, 0, 0.09f * size);
-        const ImVec2 tip(centre.x + 0.17f * size, centre.y - 0.22f * size);
-        list.AddTriangleFilled(ImVec2(tip.x - 0.16f * size, tip.y - 0.08f * size),
-                               ImVec2(tip.x + 0.16f * size, tip.y - 0.12f * size),
-                               ImVec2(tip.x + 0.08f * size, tip.y + 0.2f * size), faint);
-    }
-    return reset;
+    return !std::ranges::search(text, part, same).empty();
 }
 
 }  // namespace
 
-double seconds_until_tooltip() {
-    const ImGuiContext& context = *ImGui::GetCurrentContext();
-    const bool waiting = context.HoveredId != 0 && context.HoveredIdTimer < kTooltipDelay;
-    return waiting ? double(kTooltipDelay - context.HoveredIdTimer)
-                   : std::numeric_limits<double>::infinity();
-}
-
 bool param_widget(const ParamInfo& row, const ParamObjects& objects) {
     ImGui::PushID(std::string(row.key).c_str());
-    bool apply = label(row, objects);
-    tooltip(row, objects);
+    bool apply = param_label(row, objects);
+    param_tooltip(row, objects);
     ImGui::OpenPopupOnItemClick("menu");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(-FLT_MIN);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(-ImGui::GetFrameHeight() - gap);
     apply = value_widget(row, objects) || apply;
-    tooltip(row, objects);
+    param_tooltip(row, objects);
     ImGui::OpenPopupOnItemClick("menu");
-    apply = reset_menu(row, objects) || apply;
+    apply = param_menu(row, objects) || apply;
+    ImGui::SameLine(0, gap);
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight());
+    apply = param_reset(row, objects) || apply;
     ImGui::PopID();
     return apply;
 }
 
 bool param_groups(std::span<const ParamInfo> rows, const ParamObjects& objects,
                   std::span<const std::string_view> elsewhere,
-                  std::span<const std::string_view> hidden) {
+                  std::span<const std::string_view> hidden, std::string_view filter) {
     const auto shown = [&](const ParamInfo& row) {
-        return std::ranges::count(hidden, row.group()) == 0 &&
-               std::ranges::count(elsewhere, row.key) == 0;
+        if (std::ranges::count(hidden, row.group()) != 0) return false;
+        if (!filter.empty()) return holds(row.key, filter) || holds(row.help, filter);
+        return std::ranges::count(elsewhere, row.key) == 0;
     };
     const auto edited = [&](const ParamInfo& row) {
         return shown(row) && row.value(objects.edited) != row.value(objects.preset);
@@ -245,7 +172,10 @@ bool param_groups(std::span<const ParamInfo> rows, const ParamObjects& objects,
                 rows, [&](const ParamInfo& r) { return r.group() == group && edited(r); });
             ImGui::PushStyleColor(ImGuiCol_Text,
                                   ImGui::GetColorU32(marked ? ImGuiCol_CheckMark : ImGuiCol_Text));
+            if (!filter.empty()) ImGui::SetNextItemOpen(true);
+            ImGui::PushID(filter.empty() ? "all" : "found");
             open = ImGui::CollapsingHeader(group_text(group).c_str());
+            ImGui::PopID();
             ImGui::PopStyleColor();
         }
         if (open) apply = param_widget(row, objects) || apply;

@@ -12,10 +12,13 @@ void load_font(float scale) {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
     const float size = std::round(15.0f * scale);
+    // Latin, Greek symbols, punctuation, arrows
+    static constexpr ImWchar kGlyphs[] = {0x20,   0x17f,  0x370,  0x3ff, 0x2010,
+                                          0x2027, 0x2190, 0x2199, 0};
     for (const char* path : {"/usr/share/fonts/opentype/inter/Inter-Medium.otf",
                              "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"}) {
         if (!std::filesystem::exists(path)) continue;
-        if (io.Fonts->AddFontFromFileTTF(path, size) != nullptr) return;
+        if (io.Fonts->AddFontFromFileTTF(path, size, nullptr, kGlyphs) != nullptr) return;
     }
     ImFontConfig config;
     config.SizePixels = std::round(13.0f * scale);
@@ -60,7 +63,16 @@ void apply_theme(float scale) {
     c[ImGuiCol_TextDisabled] = grey(0.50f);
     c[ImGuiCol_Separator] = grey(0.22f);
     c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = grey(0.15f);
+    c[ImGuiCol_MenuBarBg] = grey(0.11f);
+    c[ImGuiCol_PlotLines] = c[ImGuiCol_PlotHistogram] = with_alpha(0.9f);
+    c[ImGuiCol_TableHeaderBg] = grey(0.13f);
+    c[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.45f);
     c[ImGuiCol_TextSelectedBg] = with_alpha(0.35f);
+}
+
+unsigned handle_colour(bool edited, bool lit) {
+    if (edited) return lit ? IM_COL32(255, 170, 80, 255) : IM_COL32(255, 255, 255, 220);
+    return lit ? IM_COL32(255, 170, 80, 150) : IM_COL32(255, 255, 255, 110);
 }
 
 ImVec4 error_colour() {

@@ -6,6 +6,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+
 #include "render/renderer.h"
 #include "ui/theme.h"
 
@@ -19,14 +21,15 @@ std::string last_error() {
 
 }  // namespace
 
-Window::Window(int width, int height, const std::string& title) {
+Window::Window(const Settings& settings, double ui_scale, const std::string& title)
+    : ui_scale_(ui_scale) {
     if (glfwInit() != GLFW_TRUE) throw RenderError("no window can be opened: " + last_error());
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    handle_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    glfwWindowHint(GLFW_MAXIMIZED, settings.maximised ? GLFW_TRUE : GLFW_FALSE);
+    handle_ = glfwCreateWindow(settings.width, settings.height, title.c_str(), nullptr, nullptr);
     if (handle_ == nullptr) {
         const std::string reason = last_error();
         glfwTerminate();
@@ -41,7 +44,38 @@ Window::~Window() {
     glfwTerminate();
 }
 
+void Window::enlarge_by_scale() {
+    int width = 0, height = 0;
+    glfwGetWindowSize(handle_, &width, &height);
+    const auto scaled = [this](int size) {
+        return static_cast<int>(static_cast<float>(size) * scale());
+    };
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    if (mode == nullptr) return;
+    glfwSetWindowSize(handle_, std::min(scaled(width), mode->width),
+                      std::min(scaled(height), mode->height));
+}
+
+bool Window::full_screen() const {
+    return glfwGetWindowMonitor(handle_) != nullptr;
+}
+
+void Window::toggle_full_screen() {
+    if (full_screen()) {
+        glfwSetWindowMonitor(handle_, nullptr, x_, y_, width_, height_, GLFW_DONT_CARE);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    if (mode == nullptr) return;
+    glfwGetWindowPos(handle_, &x_, &y_);
+    glfwGetWindowSize(handle_, &width_, &height_);
+    glfwSetWindowMonitor(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
 float Window::scale() const {
+    if (ui_scale_ > 0) return static_cast<float>(ui_scale_);
     float content = 1, vertical = 1;
     glfwGetWindowContentScale(handle_, &content, &vertical);
     int points = 0, pixels = 0, height = 0;

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "ui/settings.h"
+
 struct GLFWwindow;
 
 namespace ember {
@@ -10,9 +12,9 @@ namespace ember {
 /// One per program: GLFW lives and dies with it.
 class Window {
   public:
-    /// Sizes are in points and scale with the monitor. Throws RenderError with the reason where
-    /// there is no display or no OpenGL 3.3.
-    Window(int width, int height, const std::string& title);
+    /// Of the remembered size. `ui_scale` 0: as the monitor says. Throws RenderError with the
+    /// reason where there is no display or no OpenGL 3.3.
+    Window(const Settings& settings, double ui_scale, const std::string& title);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -20,9 +22,15 @@ class Window {
     [[nodiscard]] GLFWwindow* handle() const { return handle_; }
     /// Points per font point: 1 at 96 dpi.
     [[nodiscard]] float scale() const;
+    /// Makes room for text of that scale, as far as the screen has it.
+    void enlarge_by_scale();
+    [[nodiscard]] bool full_screen() const;
+    void toggle_full_screen();
 
   private:
     GLFWwindow* handle_ = nullptr;
+    double ui_scale_;
+    int x_ = 0, y_ = 0, width_ = 0, height_ = 0;  // before it filled the screen
 };
 
 /// Dear ImGui's context, fed by a window's events. Keeps nothing on disk.

@@ -5,260 +5,210 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 
-#include "render/camera.h"
-#include "render/renderer.h"
-#include "sim/lighter.h"
-#include "sim/param_table.h"
-#include "ui/imgui_painter.h"
-#include "ui/kept_picture.h"
-#include "ui/panels.h"
+#include "ui/camera_text.h"
+#include "ui/dialogs.h"
+#include "ui/lighter_handles.h"
+#include "ui/overlays.h"
 #include "ui/param_widgets.h"
-#include "ui/picture_controls.h"
+#include "ui/preset_browser.h"
+#include "ui/scene_view.h"
+#include "ui/speedometer.h"
 #include "ui/window.h"
 
 namespace ember {
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720;  // [points]
-constexpr int kFramesAfterEvent = 3;         // ImGui needs a few to settle
-constexpr double kLongestSleep = 10.0;       // [s]
-constexpr double kTickBudget = 0.012;        // [s] of a picture's time that ticks may take
-constexpr double kTitleEvery = 0.25;         // [s]
-
-// The part of the window that shows the paper, in points from the upper left corner.
-struct Picture {
-    double width = 1, height = 1;
-    [[nodiscard]] int columns() const { return static_cast<int>(width); }
-    [[nodiscard]] int rows() const { return static_cast<int>(height); }
-};
+constexpr int kFramesAfterEvent = 3;      // ImGui needs a few to settle
+constexpr double kLongestSleep = 1.0;     // [s] between looks at files
+constexpr double kSleepWhileWork = 0.25;  // [s] while a child draws
+constexpr double kTitleEvery = 0.25;      // [s]
 
 class App {
   public:
-    App(const Window& window, const WindowOptions& options)
-        : window_(window.handle()),
-          session_(options.params, options.threads),
-          renderer_(glfwGetProcAddress) {
-        model_.params = model_.preset_params = options.params;
-        model_.render = model_.preset_render = options.render;
-        model_.title = options.info.title;
-        if (model_.title.empty()) model_.title = options.info.path.stem().string();
-        model_.warnings = plausibility_warnings(options.params);
-        session_.play();
-    }
+    App(Window& window, const WindowOptions& options, const UserFolders& folders,
+        const Settings& settings)
+        : window_(window),
+          scene_(glfwGetProcAddress, options.version),
+          browser_(folders.cache),
+          bench_(options.document, folders, settings, options.threads,
+                 [] { glfwPostEmptyEvent(); }) {}
 
     /// A key has gone down; it acts with the next frame.
-    void press(int key, bool control, bool repeated) {
+    void press(int key, bool control, bool shift, bool repeated) {
+        input();
         if (ImGui::GetIO().WantTextInput) return;
-        if (const KeyBinding* binding = find_binding(key, control, repeated)) {
+        if (const KeyBinding* binding = find_binding(key, control, shift, repeated))
             pressed_.push_back(binding->action);
-        }
     }
+    void release(int key) {
+        input();
+        if (key == binding_of(Action::Compare).key) bench_.shown.comparing = false;
+    }
+    void drop(const char* path) {
+        input();
+        dropped_ = path;
+    }
+    void input() { frames_due_ = kFramesAfterEvent; }
 
     void run() {
         double last = glfwGetTime();
-        while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
+        for (;;) {
             wait();
             const double now = glfwGetTime();
-            const int ticks = simulate(now - last);
-            last = now;
-            const double simulated = glfwGetTime();
+            bench_.begin_frame(now, busy_);
             for (const Action action : std::exchange(pressed_, {}))
-                act(action);
-            if (ticks == 0 && frames_due_ == 0) continue;
+                bench_.act(action);
+            if (!dropped_.empty()) bench_.open(std::exchange(dropped_, {}));
+            if (glfwWindowShouldClose(window_.handle()) == GLFW_TRUE) {
+                glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
+                bench_.act(Action::Quit);
+            }
+            const Snapshot& shot = bench_.snapshot();
+            const bool playing = shot.playing;
+            const auto ticks = static_cast<int>(shot.stats.tick - std::min(tick_, shot.stats.tick));
+            tick_ = shot.stats.tick;
+            speed_.simulated(ticks, shot.timeline.tick_duration, shot.stats.tick_seconds * ticks);
+            speed_.passed(now - last, playing);
+            last = now;
+            obey();
+            if (bench_.requests.quit) return;
+            if (!changed() && frames_due_ == 0) continue;
             frames_due_ = std::max(0, frames_due_ - 1);
             frame();
-            speed_.drawn(glfwGetTime() - simulated);
+            speed_.drawn(glfwGetTime() - now);
             show_title();
         }
     }
 
+    [[nodiscard]] Settings settings() const {
+        Settings settings = bench_.settings;
+        if (!window_.full_screen()) {
+            glfwGetWindowSize(window_.handle(), &settings.width, &settings.height);
+            settings.maximised = glfwGetWindowAttrib(window_.handle(), GLFW_MAXIMIZED) == GLFW_TRUE;
+        }
+        return settings;
+    }
+
   private:
-    // Sleeps until something happens or a tick is due: a paused window costs nothing.
+    // Sleeps until something happens: a paused window costs nothing.
     void wait() {
         if (frames_due_ > 0) return glfwPollEvents();
-        double sleep = std::min(kLongestSleep, seconds_until_tooltip());
-        if (session_.playing()) sleep = std::min(sleep, session_.until_next_tick());
-        if (sleep <= 0) return glfwPollEvents();
+        const bool work =
+            bench_.recording.state() == Recording::State::Running || browser_.working();
+        double sleep = work ? kSleepWhileWork : kLongestSleep;
+        const double due =
+            std::min(seconds_until_tooltip(), bench_.notices.until_change(glfwGetTime()));
+        sleep = std::min(sleep, due);
         const double before = glfwGetTime();
-        glfwWaitEventsTimeout(sleep);
-        const bool event = glfwGetTime() - before < 0.95 * sleep;
-        const bool tooltip = !session_.playing() && sleep < kLongestSleep;
-        if (event || tooltip) frames_due_ = kFramesAfterEvent;
+        glfwWaitEventsTimeout(std::max(0.001, sleep));
+        if (due <= sleep && glfwGetTime() - before >= 0.95 * sleep) frames_due_ = 2;
     }
 
-    int simulate(double seconds) {
-        const double begin = glfwGetTime();
-        const double budget = std::max(kTickBudget, 1e-3 * speed_.times().picture_ms);
-        const auto time_left = [&] { return glfwGetTime() - begin < budget; };
-        const int ticks = session_.advance(seconds, time_left);
-        speed_.simulated(ticks, session_.world().tick_duration(), glfwGetTime() - begin);
-        speed_.passed(seconds, session_.playing());
-        return ticks;
+    // Whether anything but the mouse asks for another picture.
+    bool changed() {
+        const Snapshot& shot = bench_.snapshot();
+        const std::uint64_t now = shot.revision + (shot.beside ? shot.beside->revision : 0) +
+                                  shot.commands + bench_.notices.all().size() +
+                                  static_cast<std::uint64_t>(bench_.recording.done()) +
+                                  static_cast<std::uint64_t>(bench_.recording.state());
+        return browser_.poll() || std::exchange(seen_, now) != now;
     }
 
-    void act(Action action) {
-        frames_due_ = kFramesAfterEvent;
-        ViewParams& view = model_.render.view;
-        switch (action) {
-            case Action::TogglePlay:
-                return session_.toggle();
-            case Action::Step:
-                return session_.step_once();
-            case Action::Restart:
-                return restart();
-            case Action::NextView:
-                return next_view();
-            case Action::ToggleFlames:
-                view.flames = !view.flames;
-                return;
-            case Action::PlaceLighter:
-                model_.placing = !model_.placing;
-                return;
-            case Action::HomeCamera:
-                model_.render.camera = model_.preset_render.camera;
-                return;
-            case Action::ToggleStatistics:
-                model_.show_statistics = !model_.show_statistics;
-                return;
-            case Action::ToggleHelp:
-                model_.show_help = !model_.show_help;
-                return;
-            case Action::TogglePanel:
-                model_.show_panel = !model_.show_panel;
-                return;
-            case Action::Cancel:
-                model_.show_help = model_.placing = false;
-                return;
-            case Action::Quit:
-                return glfwSetWindowShouldClose(window_, GLFW_TRUE);
+    void obey() {
+        WindowRequests& asked = bench_.requests;
+        if (asked.full_screen) window_.toggle_full_screen();
+        if (asked.copy) glfwSetClipboardString(window_.handle(), asked.copy->c_str());
+        if (asked.paste_camera) {
+            const char* text = glfwGetClipboardString(window_.handle());
+            const auto camera = camera_from_text(text == nullptr ? "" : text);
+            if (camera) bench_.values.render.camera = *camera;
+            if (!camera) bench_.say(Severity::Warning, "the clipboard holds no camera");
         }
+        if (asked.screenshot || asked.screenshot_clear)
+            scene_.screenshot(bench_, layout_.picture, pixels_per_point(), asked.screenshot_clear);
+        const bool quit = asked.quit;
+        asked = {};
+        asked.quit = quit;
     }
 
-    void next_view() {
-        const ParamInfo& row = *find_param(render_param_rows(), "view.mode");
-        const double next = row.get(&model_.render) + 1;
-        row.set(&model_.render, next < static_cast<double>(row.choices.size()) ? next : 0);
-    }
-
-    // A lighter that was lit by hand in mid-burn would leave the next burn waiting for it.
-    void restart() {
-        if (lit_by_hand_) {
-            LighterParams lighter = lighters_of(model_.params).front();
-            lighter.start = lighters_of(model_.preset_params).front().start;
-            set_lighter(model_.params, 0, lighter);
-        }
-        lit_by_hand_ = false;
-        apply();
-        session_.restart();
-    }
-
-    void apply() {
-        if (session_.apply(model_.params) == EditOutcome::Refused) {
-            model_.params = session_.params();  // show what there is
-        }
-        model_.warnings = plausibility_warnings(model_.params);
-    }
-
-    void place_lighter(const Vector3& place) {
-        const WorldView view = session_.world().view();
-        const bool lit = view.lighters.front().lit;
-        lit_by_hand_ = lit_by_hand_ || !lit;
-        LighterParams lighter = lighters_of(model_.params).front();
-        move_lighter(lighter, place, lit, view.time);
-        set_lighter(model_.params, 0, lighter);
-        apply();
-    }
-
-    void place_lighter_at(const PicturePoint& place, const Picture& picture) {
-        const int width = picture.columns(), height = picture.rows();
-        const Camera camera = make_camera(model_.render.camera, width, height);
-        const Vector3 ray = ray_through(camera, place.x, place.y, width, height).cast<double>();
-        const auto hit =
-            pick(session_.world().view(), model_.params, camera.eye.cast<double>(), ray);
-        if (hit) place_lighter(*hit);
-    }
-
-    void obey(const PanelRequests& requests) {
-        if (requests.apply_params) apply();
-        if (requests.action) act(*requests.action);
-        if (requests.light_now) place_lighter(session_.world().view().lighters.front().position);
-        if (requests.lighter_spot) {
-            const WorldView view = session_.world().view();
-            const auto place = lighter_below(view.sheets.front(), *requests.lighter_spot);
-            if (place) place_lighter(*place);
-        }
+    [[nodiscard]] double pixels_per_point() const {
+        return std::max(0.1, double(ImGui::GetIO().DisplayFramebufferScale.x));
     }
 
     void frame() {
         int width = 0, height = 0;
-        glfwGetFramebufferSize(window_, &width, &height);
+        glfwGetFramebufferSize(window_.handle(), &width, &height);
         if (width == 0 || height == 0) return;  // minimised
         Gui::begin_frame();
-        model_.stats = session_.stats();
-        model_.times = speed_.times();
-        model_.message = session_.message();
-        model_.playing = session_.playing();
-        obey(draw_panels(model_));
-        const ImGuiIO& io = ImGui::GetIO();
-        const Picture picture{std::max(1.0, double(io.DisplaySize.x - panel_width(model_))),
-                              double(io.DisplaySize.y)};
-        const auto place = controls_.update(model_.render.camera, picture.height, model_.placing);
-        if (place) place_lighter_at(*place, picture);
+        layout_ = layout_of(bench_);
+        plots_.add(bench_.pictured());
+        draw_menu_bar(bench_);
+        draw_main_panel(layout_, bench_);
+        draw_timeline(layout_, bench_);
+        draw_status_bar(layout_, bench_, speed_.times());
+        use_mouse();
+        draw_overlays(layout_, bench_, plots_);
+        browser_.draw(layout_, bench_);
+        dialogs_.draw(bench_);
+        busy_ = ImGui::IsAnyItemActive() || controls_.dragging() || handles_.dragging();
+        bench_.end_frame(busy_);
         ImGui::Render();
-        const double scale = double(io.DisplayFramebufferScale.x);
-        draw(static_cast<int>(std::ceil(picture.width * scale)), height);
-        painter_.draw(*ImGui::GetDrawData());
-        glfwSwapBuffers(window_);
+        scene_.draw(bench_, layout_.picture, pixels_per_point(), width, height);
+        glfwSwapBuffers(window_.handle());
     }
 
-    // The panel is at the right, so that the picture fills the framebuffer from its origin.
-    void draw(int width, int height) {
-        if (!kept_.holds({session_.revision(), model_.render, width, height})) {
-            const WorldView view = session_.world().view();
-            std::vector<std::vector<SpringSegment>> springs;
-            if (needs_springs(model_.render.view.mode)) {
-                for (std::size_t s = 0; s < view.sheets.size(); ++s) {
-                    springs.push_back(session_.world().springs(s));
-                }
-            }
-            renderer_.draw({&view, springs}, model_.render, width, height, kept_.framebuffer());
-        }
-        kept_.show();
+    void use_mouse() {
+        PictureRect tools = layout_.picture;
+        if (bench_.shown.side_by_side) tools.width /= 2;
+        const PictureCamera picture = camera_of(tools, bench_.values.render.camera);
+        const bool taken = handles_.update(picture, bench_);
+        const auto drag = controls_.update(bench_.values.render.camera, bench_.settings.scheme,
+                                           layout_.picture, bench_.shown.placing, taken);
+        if (drag) tools_.use(*drag, picture, bench_);
+        if (!taken && !drag && !controls_.dragging()) draw_probe(picture, bench_.pictured());
     }
 
     void show_title() {
         const double now = glfwGetTime();
-        if (session_.playing() && now - title_shown_ < kTitleEvery) return;
+        if (bench_.snapshot().playing && now - title_shown_ < kTitleEvery) return;
         title_shown_ = now;
         char time[40];
-        std::snprintf(time, sizeof time, " - %.2f s%s", session_.world().state().time,
-                      session_.playing() ? "" : ", paused");
-        std::string title = model_.title + time + " - emberleaf";
+        std::snprintf(time, sizeof time, " - %.2f s%s", bench_.snapshot().stats.time,
+                      bench_.snapshot().playing ? "" : ", paused");
+        std::string title =
+            bench_.document().title() + (bench_.dirty() ? "*" : "") + time + " - emberleaf";
         if (title == title_) return;  // setting it is an event, which would wake the loop again
         title_ = std::move(title);
-        glfwSetWindowTitle(window_, title_.c_str());
+        glfwSetWindowTitle(window_.handle(), title_.c_str());
     }
 
-    GLFWwindow* window_;
-    Session session_;
-    PanelModel model_;
-    Renderer renderer_;
-    KeptPicture kept_;
-    ImguiPainter painter_;
-    Speedometer speed_;
-    std::vector<Action> pressed_;
+    Window& window_;
+    SceneView scene_;
+    PresetBrowser browser_;
+    Dialogs dialogs_;
+    PlotData plots_;
     PictureControls controls_;
-    bool lit_by_hand_ = false;
+    LighterHandles handles_;
+    PaperTools tools_;
+    Speedometer speed_;
+    Layout layout_;
+    std::vector<Action> pressed_;
+    std::string dropped_, title_;
+    bool busy_ = false;
     int frames_due_ = kFramesAfterEvent;
-    std::string title_;
+    std::uint64_t tick_ = 0, seen_ = 0;
     double title_shown_ = -kTitleEvery;  // [s]
+    Workbench bench_;                    // the last: its thread wakes the loop, and ends first
 };
+
+App* app_of(GLFWwindow* window) {
+    return static_cast<App*>(glfwGetWindowUserPointer(window));
+}
 
 // A letter means what is printed on the key, wherever the keyboard's layout puts it.
 int printed_key(int key, int scancode) {
@@ -268,23 +218,50 @@ int printed_key(int key, int scancode) {
     return std::isalpha(letter) != 0 ? std::toupper(letter) : key;
 }
 
-void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
-    auto* app = static_cast<App*>(glfwGetWindowUserPointer(window));
-    if (app == nullptr || action == GLFW_RELEASE) return;
-    app->press(printed_key(key, scancode), (mods & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT);
+// Before ImGui, which goes on calling them.
+void listen(GLFWwindow* window) {
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+        if (app_of(w) == nullptr) return;
+        const int printed = printed_key(key, scancode);
+        if (action == GLFW_RELEASE) return app_of(w)->release(printed);
+        app_of(w)->press(printed, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0,
+                         action == GLFW_REPEAT);
+    });
+    const auto wake = [](GLFWwindow* w) {
+        if (app_of(w) != nullptr) app_of(w)->input();
+    };
+    static void (*const woken)(GLFWwindow*) = wake;
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { woken(w); });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { woken(w); });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { woken(w); });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { woken(w); });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { woken(w); });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { woken(w); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { woken(w); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { woken(w); });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) { woken(w); });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        if (app_of(w) != nullptr && count > 0) app_of(w)->drop(paths[0]);
+    });
 }
 
 }  // namespace
 
 int run_window(const WindowOptions& options) {
     try {
-        const Window window(kWidth, kHeight, "emberleaf");
-        glfwSetKeyCallback(window.handle(), on_key);  // before ImGui, which goes on calling it
+        const UserFolders folders = user_folders();
+        const std::filesystem::path file = folders.config / "settings";
+        const bool first_time = !std::filesystem::exists(file);
+        const Settings settings = read_settings(file);
+        Window window(settings, options.ui_scale, "emberleaf");
+        if (first_time) window.enlarge_by_scale();
+        listen(window.handle());
         const Gui gui(window);
-        App app(window, options);
+        App app(window, options, folders, settings);
         glfwSetWindowUserPointer(window.handle(), &app);
         app.run();
         glfwSetWindowUserPointer(window.handle(), nullptr);
+        write_settings(file, app.settings());
         return 0;
     } catch (const std::exception& e) {
         std::fprintf(stderr, "emberleaf: %s\n", e.what());

@@ -1,17 +1,15 @@
 // The window: one frame after the other, from events to pixels.
 #pragma once
 
-#include "app/preset_io/preset_io.h"
-#include "render/view_params.h"
-#include "sim/params.h"
+#include "ui/document.h"
 
 namespace ember {
 
 struct WindowOptions {
-    PresetInfo info;
-    Params params;
-    RenderParams render;
+    Document document;
     int threads = 1;
+    double ui_scale = 0;  ///< of panels and text; 0: as the monitor says
+    std::string version;  ///< for pictures
 };
 
 /// Opens the window and runs until it is closed; returns the exit code. Prints the reason and

@@ -3,6 +3,7 @@
 
 #include "sim/world.h"
 #include "ui/lighter_placement.h"
+#include "ui/pick.h"
 
 namespace ember {
 namespace {

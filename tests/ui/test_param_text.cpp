@@ -25,6 +25,8 @@ TEST(ParamText, NamesAreWordsAndSymbolsOfThePaperStayAsTheyAre) {
     EXPECT_EQ(label_text(row("world.held_gravity")), "held gravity");
     EXPECT_EQ(label_text(row("paper.c_s")), "c_s");
     EXPECT_EQ(group_text("paper"), "Paper");
+    EXPECT_EQ(symbol_text(row("paper.density")), "\u03c1");
+    EXPECT_EQ(symbol_text(row("paper.grammage")), "G");
 }
 
 TEST(ParamText, ValuesShowNoNoiseOfUnitConversion) {

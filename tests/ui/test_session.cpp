@@ -34,7 +34,7 @@ TEST(Session, StartsPausedAndPlaysWholeTicksWhateverTheFrameTime) {
         slow.step_once();
     while (session.stats().tick < slow.stats().tick)
         session.step_once();
-    EXPECT_EQ(session.world().hash(), slow.world().hash());
+    EXPECT_EQ(session.hash(), slow.hash());
 }
 
 TEST(Session, DropsTimeThatItCannotKeepUpWith) {
@@ -75,12 +75,12 @@ TEST(Session, RestartBurnsTheSameAgain) {
     Session session(small(), 1);
     for (int i = 0; i < 20; ++i)
         session.step_once();
-    const std::uint64_t hash = session.world().hash();
+    const std::uint64_t hash = session.hash();
     session.restart();
     EXPECT_EQ(session.stats().tick, 0u);
     for (int i = 0; i < 20; ++i)
         session.step_once();
-    EXPECT_EQ(session.world().hash(), hash);
+    EXPECT_EQ(session.hash(), hash);
 }
 
 TEST(Session, LiveEditsActAtOnceAndOthersRestartWithTheSameSeed) {
@@ -89,19 +89,20 @@ TEST(Session, LiveEditsActAtOnceAndOthersRestartWithTheSameSeed) {
         session.step_once();
     Params live = session.params();
     live.shrinkage.factor = 9e-12;
-    session.apply(live);
+    live.paper.grammage = 0.120;
+    EXPECT_EQ(session.apply(live), EditOutcome::Live);
     EXPECT_EQ(session.stats().tick, 5u);
-    EXPECT_EQ(session.params().shrinkage.factor, 9e-12);
+    EXPECT_EQ(session.params().paper.grammage, 0.120);
     Params rebuild = live;
-    rebuild.paper.grammage = 0.120;
-    session.apply(rebuild);
+    rebuild.sheet.rows = 9;
+    EXPECT_EQ(session.apply(rebuild), EditOutcome::Restarted);
     EXPECT_EQ(session.stats().tick, 0u);
     World fresh = make_world(rebuild);
     for (int i = 0; i < 10; ++i) {
         session.step_once();
         ASSERT_TRUE(fresh.step().ok());
     }
-    EXPECT_EQ(session.world().hash(), fresh.hash());
+    EXPECT_EQ(session.hash(), fresh.hash());
 }
 
 TEST(Session, WhatCannotBeBuiltLeavesEverythingAsItWas) {
@@ -152,7 +153,7 @@ TEST(Session, TheRevisionChangesWheneverTheWorldMayLookDifferent) {
     const auto changed = [&] { return std::exchange(before, session.revision()) != before; };
     session.step_once();
     EXPECT_TRUE(changed());
-    session.apply(session.params());
+    EXPECT_EQ(session.apply(session.params()), EditOutcome::Unchanged);
     EXPECT_FALSE(changed());
     Params moved = session.params();
     moved.lighter.x += 0.01;

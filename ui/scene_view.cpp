@@ -1,0 +1,90 @@
+#include "ui/scene_view.h"
+
+#include <imgui.h>
+
+#include <chrono>
+#include <cmath>
+#include <exception>
+
+#include "render/image.h"
+
+namespace ember {
+namespace {
+
+constexpr double kSlow = 0.045, kQuick = 0.015;  // [s] for one picture
+
+int pixels(double points, double scale) {
+    return std::max(1, static_cast<int>(std::lround(points * scale)));
+}
+
+}  // namespace
+
+PictureCamera camera_of(const PictureRect& picture, const CameraParams& camera) {
+    return {make_camera(camera, static_cast<int>(picture.width), static_cast<int>(picture.height)),
+            picture};
+}
+
+void SceneView::draw_one(const Snapshot& shot, bool beside, const RenderParams& render, int width,
+                         int height, KeptPicture& kept) {
+    RenderParams look = render;
+    if (simple_ && shot.playing) look.look.quality = Quality::Preview;
+    if (kept.holds({shot.revision, beside, look, width, height})) return;
+    const bool springs = !needs_springs(look.view.mode) || !shot.springs.empty();
+    if (!springs) look.view.mode = ViewMode::Beauty;  // they come with the next state
+    const auto begin = std::chrono::steady_clock::now();
+    renderer_.draw({&shot.view, shot.springs}, look, width, height, kept.framebuffer());
+    glFinish();
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    picture_seconds_ = spent.count();
+    simple_ = picture_seconds_ > (simple_ ? kQuick : kSlow);
+}
+
+void SceneView::draw(Workbench& bench, const PictureRect& picture, double scale, int width,
+                     int height) {
+    const Snapshot& shot = bench.snapshot();
+    const int whole = pixels(picture.width, scale), high = pixels(picture.height, scale);
+    const int bottom = height - pixels(picture.y, scale) - high;
+    const bool both = bench.shown.side_by_side && shot.beside != nullptr;
+    const int wide = both ? whole / 2 : whole;
+    try {
+        const Snapshot& first = both ? shot : bench.pictured();
+        draw_one(first, &first != &shot, bench.values.render, wide, high, left_);
+        if (both) draw_one(*shot.beside, true, bench.values.render, whole - wide, high, right_);
+    } catch (const std::exception& e) {
+        bench.say(Severity::Error, e.what());
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
+    left_.show(0, bottom);
+    if (both) right_.show(wide, bottom);
+    painter_.draw(*ImGui::GetDrawData());
+}
+
+void SceneView::screenshot(Workbench& bench, const PictureRect& picture, double scale,
+                           bool transparent) {
+    try {
+        const Snapshot& shot = bench.pictured();
+        RenderParams render = bench.values.render;
+        render.view.transparent = transparent;
+        const Image image =
+            renderer_.draw_image({&shot.view, shot.springs}, render, pixels(picture.width, scale),
+                                 pixels(picture.height, scale));
+        PresetValues base = bench.values;
+        base.params = shot.base;
+        const auto file = bench.numbered_file(bench.folders().pictures, ".png");
+        std::filesystem::create_directories(file.parent_path());
+        char time[32];
+        std::snprintf(time, sizeof time, "%.6g", shot.view.time);
+        write_png(file, image,
+                  {{"Software", "emberleaf"},
+                   {"Version", version_},
+                   {"Preset", take_text(bench.document(), base, *shot.script)},
+                   {"Time", time},
+                   {"Renderer", renderer_.description()}});
+        bench.say(Severity::Info, "saved " + file.string());
+    } catch (const std::exception& e) {
+        bench.say(Severity::Error, e.what());
+    }
+}
+
+}  // namespace ember

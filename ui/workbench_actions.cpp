@@ -1,0 +1,295 @@
+// What keys, menus and buttons do.
+#include <algorithm>
+#include <array>
+#include <exception>
+
+#include "render/camera.h"
+#include "sim/lighter.h"
+#include "sim/param_table.h"
+#include "ui/camera_text.h"
+#include "ui/child_process.h"
+#include "ui/workbench.h"
+
+namespace ember {
+namespace {
+
+constexpr std::array kCameras = {"front", "three_quarter", "side", "back", "top", "low", "close"};
+
+}  // namespace
+
+void Workbench::act(Action action) {
+    act_on_file(action);
+    act_on_time(action);
+    act_on_view(action);
+    act_on_lighter(action);
+}
+
+void Workbench::act_on_file(Action action) {
+    switch (action) {
+        case Action::OpenBrowser:
+            shown.browser = !shown.browser;
+            break;
+        case Action::OpenPath:
+            shown.open_path = true;
+            break;
+        case Action::Save:
+            if (document_.read_only) shown.save_as = true;
+            if (!document_.read_only) save_to(document_.info.path);
+            break;
+        case Action::SaveAs:
+            shown.save_as = true;
+            break;
+        case Action::Reload:
+            open(document_.info.path);
+            break;
+        case Action::SaveTake:
+            try {
+                say(Severity::Info, "saved " + save_take(folders_.state / "takes").string());
+            } catch (const std::exception& e) {
+                say(Severity::Error, e.what());
+            }
+            break;
+        case Action::Screenshot:
+            requests.screenshot = true;
+            break;
+        case Action::ScreenshotClear:
+            requests.screenshot_clear = true;
+            break;
+        case Action::Record:
+            shown.record = true;
+            break;
+        case Action::CopyCommand:
+            requests.copy = command_line(command());
+            say(Severity::Info, snapshot_->script->empty()
+                                    ? "copied the command that draws this picture"
+                                    : "copied; edits in mid-burn are only in a take (Ctrl+T)");
+            break;
+        case Action::CopyCamera:
+            requests.copy = camera_text(values.render.camera);
+            break;
+        case Action::PasteCamera:
+            requests.paste_camera = true;
+            break;
+        case Action::Undo:
+        case Action::Redo:
+            undo(action == Action::Redo);
+            break;
+        case Action::Quit:
+            pending_.clear();
+            shown.leaving = dirty_;
+            requests.quit = !dirty_;
+            break;
+        default:
+            break;
+    }
+}
+
+void Workbench::undo(bool again) {
+    const auto now = again ? history_.redo(values) : history_.undo(values);
+    if (!now) return;
+    values = *now;
+    apply();
+}
+
+// A lighter that was lit by hand in mid-burn would leave the next burn waiting for it.
+void Workbench::restart() {
+    const auto before = lighters_of(document_.saved.params);
+    auto now = lighters_of(values.params);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const double start = i < before.size() ? before[i].start : 0.0;
+        if (now[i].start <= start) continue;
+        now[i].start = start;
+        set_lighter(values.params, i, now[i]);
+    }
+    values.params.hand.on = false;
+    post([params = values.params](Session& s) {
+        s.apply(params);
+        s.restart();
+    });
+}
+
+void Workbench::act_on_time(Action action) {
+    const TimelineSpan& time = snapshot_->timeline;
+    const auto back = [&](std::uint64_t ticks) {
+        post([ticks](Session& s) {
+            s.pause();
+            s.go_to(s.tick_number() - std::min(ticks, s.tick_number()));
+        });
+    };
+    const auto forward = [&](int ticks) {
+        post([ticks](Session& s) {
+            for (int i = 0; i < ticks; ++i)
+                s.step_once();
+        });
+    };
+    switch (action) {
+        case Action::TogglePlay:
+            return post([](Session& s) { s.toggle(); });
+        case Action::Step:
+            return forward(1);
+        case Action::StepTen:
+            return forward(10);
+        case Action::StepBack:
+            return back(1);
+        case Action::StepBackTen:
+            return back(10);
+        case Action::ToStart:
+            return go_to(0);
+        case Action::ToEnd:
+            return go_to(time.end);
+        case Action::Restart:
+            return restart();
+        case Action::Slower:
+            return set_speed(speed_ / 2);
+        case Action::Faster:
+            return set_speed(speed_ * 2);
+        case Action::ToggleLoop:
+            loop_ = !loop_;
+            return post([loop = loop_](Session& s) { s.set_loop(loop); });
+        case Action::Retry:
+            return post([](Session& s) { s.retry_with_smaller_step(); });
+        default:
+            return;
+    }
+}
+
+void Workbench::look(std::string_view camera) {
+    values.render.camera = document_.saved.render.camera;
+    look_from(values.render.camera, *find_camera_view(camera));
+}
+
+void Workbench::act_on_view(Action action) {
+    ViewParams& view = values.render.view;
+    const auto next = [&](std::size_t step) {
+        camera_ = (camera_ + step) % kCameras.size();
+        look(kCameras[camera_]);
+    };
+    switch (action) {
+        case Action::NextView: {
+            const ParamInfo& row = *find_param(render_param_rows(), "view.mode");
+            const double mode = row.get(&values.render) + 1;
+            row.set(&values.render, mode < static_cast<double>(row.choices.size()) ? mode : 0);
+            return;
+        }
+        case Action::ToggleLegend:
+            view.legend = !view.legend;
+            return;
+        case Action::ToggleFlames:
+            view.flames = !view.flames;
+            return;
+        case Action::HomeCamera:
+            values.render.camera = document_.saved.render.camera;
+            return;
+        case Action::CameraFront:
+            return look("front");
+        case Action::CameraSide:
+            return look("side");
+        case Action::CameraTop:
+            return look("top");
+        case Action::CameraThreeQuarter:
+            return look("three_quarter");
+        case Action::NextCamera:
+            return next(1);
+        case Action::PreviousCamera:
+            return next(kCameras.size() - 1);
+        case Action::SideBySide:
+            shown.side_by_side = !shown.side_by_side;
+            return put_beside(shown.side_by_side);
+        case Action::Compare:
+            shown.comparing = true;
+            return put_beside(true);
+        case Action::SwapSlots:
+            return swap_slots();
+        case Action::StoreSlot:
+            other_ = values;
+            renew_beside();
+            return say(Severity::Info, "slots A and B are now the same");
+        case Action::FullScreen:
+            requests.full_screen = true;
+            return;
+        case Action::TogglePanel:
+            settings.show_panel = !settings.show_panel;
+            return;
+        case Action::ToggleInfo:
+            settings.show_info = !settings.show_info;
+            return;
+        case Action::ToggleProfiler:
+            settings.show_profiler = !settings.show_profiler;
+            return;
+        case Action::TogglePlots:
+            settings.show_plots = !settings.show_plots;
+            return;
+        case Action::ToggleLog:
+            shown.log = !shown.log;
+            return;
+        case Action::ToggleHelp:
+            shown.help = !shown.help;
+            return;
+        case Action::Cancel:
+            notices.dismiss();
+            put_beside(shown.side_by_side);
+            shown.help = shown.log = shown.browser = shown.placing = shown.record = false;
+            shown.save_as = shown.open_path = shown.leaving = false;
+            return;
+        default:
+            return;
+    }
+}
+
+// The other slot burns beside this one from when somebody looks at it until they have had enough.
+void Workbench::put_beside(bool wanted) {
+    if (wanted == beside_) return;
+    beside_ = wanted;
+    session_.put_beside(wanted ? std::optional<Params>(other_.params) : std::nullopt);
+}
+
+void Workbench::renew_beside() {
+    if (!beside_) return;
+    beside_ = false;
+    put_beside(true);
+}
+
+void Workbench::swap_slots() {
+    const CameraParams camera = values.render.camera;
+    std::swap(values, other_);
+    values.render.camera = camera;
+    slot_b_ = !slot_b_;
+    renew_beside();
+    apply();
+}
+
+void Workbench::act_on_lighter(Action action) {
+    const double now = snapshot_->view.time;
+    switch (action) {
+        case Action::PlaceLighter:
+            shown.placing = !shown.placing;
+            return;
+        case Action::LightNow: {
+            const LighterParams l = lighter_now(lighter);
+            return place_lighter(lighter_position(l, now));
+        }
+        case Action::AddLighter: {
+            LighterParams added = lighter_now(lighter);
+            added.x += 0.02;
+            added.path.clear();
+            if (values.params.lighters.empty()) values.params.lighters.emplace_back();
+            values.params.lighters.emplace_back();
+            lighter = values.params.lighters.size() - 1;
+            return change_lighter(lighter, added);
+        }
+        case Action::RemoveLighter:
+            if (values.params.lighters.size() < 2) {
+                LighterParams out = lighter_now(lighter);
+                out.on = false;
+                return change_lighter(lighter, out);
+            }
+            values.params.lighters.erase(values.params.lighters.begin() +
+                                         static_cast<std::ptrdiff_t>(lighter));
+            lighter = 0;
+            return apply();
+        default:
+            return;
+    }
+}
+
+}  // namespace ember
