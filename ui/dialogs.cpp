@@ -50,6 +50,7 @@ void Dialogs::draw(Workbench& bench) {
     if (bench.snapshot().stopped) stopped(bench);
     asked_name_ = bench.shown.save_as;
     asked_path_ = bench.shown.open_path;
+    asked_record_ = bench.shown.record;
 }
 
 void Dialogs::save_as(Workbench& bench) {
@@ -140,6 +141,11 @@ void Dialogs::stopped(Workbench& bench) {
 void Dialogs::record(Workbench& bench) {
     const Recording& recording = bench.recording;
     const bool running = recording.state() == Recording::State::Running;
+    if (!asked_record_) {  // what has burnt so far
+        const TimelineSpan& t = bench.snapshot().timeline;
+        const double seconds = static_cast<double>(t.end) * t.tick_duration;
+        options_.frames = std::max(1, static_cast<int>(seconds * options_.fps + 0.5));
+    }
     if (begin("Record the burn from its start", &bench.shown.record, bench)) {
         ImGui::BeginDisabled(running);
         ImGui::PushItemWidth(wide(9));
@@ -159,6 +165,8 @@ void Dialogs::record(Workbench& bench) {
                             options_.frames, options_.frames / options_.fps);
         if (ImGui::Button("Record")) bench.record(options_);
         ImGui::EndDisabled();
+        ImGui::SameLine();
+        if (ImGui::Button("Copy as command line")) bench.copy_recording(options_);
         ImGui::SameLine();
         if (ImGui::Button("Close")) bench.shown.record = false;
         if (running) {

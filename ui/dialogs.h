@@ -18,7 +18,7 @@ class Dialogs {
     void stopped(Workbench& bench);
     char name_[256] = "", path_[1024] = "";
     RecordingOptions options_;
-    bool asked_name_ = false, asked_path_ = false;
+    bool asked_name_ = false, asked_path_ = false, asked_record_ = false;
 };
 
 }  // namespace ember

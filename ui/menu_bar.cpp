@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "sim/param_table.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
 
@@ -74,6 +75,18 @@ void recent(Workbench& bench) {
     ImGui::EndMenu();
 }
 
+void views(Workbench& bench) {
+    if (!ImGui::BeginMenu("Show")) return;
+    const ParamInfo& row = *find_param(render_param_rows(), "view.mode");
+    for (std::size_t i = 0; i < row.choices.size(); ++i) {
+        const auto mode = static_cast<double>(i);
+        if (ImGui::MenuItem(std::string(row.choices[i]).c_str(), nullptr,
+                            row.get(&bench.values.render) == mode))
+            row.set(&bench.values.render, mode);
+    }
+    ImGui::EndMenu();
+}
+
 void schemes(Workbench& bench) {
     if (!ImGui::BeginMenu("Camera as in")) return;
     constexpr const char* kNames[] = {"viewers", "Blender", "Maya"};
@@ -105,7 +118,10 @@ void draw_menu_bar(Workbench& bench) {
         if (!ImGui::BeginMenu(menu)) continue;
         entries(bench, menu);
         if (std::string_view(menu) == "File") recent(bench);
-        if (std::string_view(menu) == "View") schemes(bench);
+        if (std::string_view(menu) == "View") {
+            views(bench);
+            schemes(bench);
+        }
         ImGui::EndMenu();
     }
     const std::string title = bench.document().title() + (bench.dirty() ? " (modified)" : "");

@@ -203,14 +203,26 @@ std::filesystem::path Workbench::save_take(const std::filesystem::path& folder) 
     return file;
 }
 
+std::filesystem::path Workbench::output_of(const RecordingOptions& options) const {
+    return options.film ? numbered_file(folders_.videos, ".mp4")
+                        : numbered_file(folders_.pictures, "") / "frame_####.png";
+}
+
 void Workbench::record(const RecordingOptions& options) {
     try {
         const std::filesystem::path take = save_take(folders_.state / "takes");
-        const std::filesystem::path output =
-            options.film ? numbered_file(folders_.videos, ".mp4")
-                         : numbered_file(folders_.pictures, "") / "frame_####.png";
-        recording.start(take, output, options, now_);
+        recording.start(take, output_of(options), options, now_);
         was_recording_ = true;
+    } catch (const std::exception& e) {
+        say(Severity::Error, e.what());
+    }
+}
+
+void Workbench::copy_recording(const RecordingOptions& options) {
+    try {
+        const std::filesystem::path take = save_take(folders_.state / "takes");
+        requests.copy = command_line(render_words("emberleaf", take, output_of(options), options));
+        say(Severity::Info, "copied; the take is " + take.string());
     } catch (const std::exception& e) {
         say(Severity::Error, e.what());
     }

@@ -97,6 +97,8 @@ class Workbench {
     [[nodiscard]] std::filesystem::path save_take(const std::filesystem::path& folder);
     /// Starts a recording of the burn as it has been steered.
     void record(const RecordingOptions& options);
+    /// Copies the command that would do so.
+    void copy_recording(const RecordingOptions& options);
     /// The command that draws what the window shows.
     [[nodiscard]] std::vector<std::string> command() const;
     void say(Severity severity, const std::string& text) { notices.say(now_, severity, text); }
@@ -106,6 +108,7 @@ class Workbench {
                                                       const std::string& end) const;
 
   private:
+    [[nodiscard]] std::filesystem::path output_of(const RecordingOptions& options) const;
     void take_document(Document document);
     void watch_files();
     void restart();
