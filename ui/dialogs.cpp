@@ -163,7 +163,9 @@ void Dialogs::record(Workbench& bench) {
         ImGui::Checkbox("a film (MP4, needs ffmpeg) instead of numbered pictures", &options_.film);
         ImGui::TextDisabled("%d frames are %.1f s; edits so far are replayed as they were made",
                             options_.frames, options_.frames / options_.fps);
-        if (ImGui::Button("Record")) bench.record(options_);
+        const bool entered = ImGui::IsWindowFocused() && !ImGui::GetIO().WantTextInput &&
+                             ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+        if (ImGui::Button("Record") || (entered && !running)) bench.record(options_);
         ImGui::EndDisabled();
         ImGui::SameLine();
         if (ImGui::Button("Copy as command line")) bench.copy_recording(options_);

@@ -44,6 +44,7 @@ void Workbench::take_document(Document document) {
     values = document_.saved;
     lighter = 0;
     history_.start(values);
+    if (!shown.side_by_side) other_ = values;
     if (!document_.info.path.empty()) settings.remember(document_.info.path.string());
     for (const std::string& warning : plausibility_warnings(values.params))
         say(Severity::Warning, warning);

@@ -122,9 +122,8 @@ xdotool key x sleep 0.5 x sleep 0.5 d sleep 0.5
 
 xdotool key ctrl+e
 sleep 1.5
-at 453 440 # the button
 shot 11_record
-xdotool click 1
+xdotool key Return
 recorded() { compgen -G "$home/Pictures/emberleaf/*/frame_0010.png" >/dev/null; }
 wait_until "recording" 120 recorded
 shot 12_recording
