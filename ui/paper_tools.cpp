@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kBlowPerHeight = 8.0;    // [m/s] for a drag as long as the picture is high
 constexpr double kPaintingTime = 3600.0;  // [s]
+constexpr double kGrip = 0.040;           // [m] of paper in a hand
+constexpr double kPullTime = 0.050;       // [s] in which it follows
 
 }  // namespace
 
@@ -71,6 +73,8 @@ void PaperTools::touch(const PictureDrag& drag, const PictureCamera& picture, Wo
         hand.sheet = static_cast<std::int64_t>(hit->sheet) + 1;
         hand.row = site / sheet.column_count;
         hand.column = site % sheet.column_count;
+        hand.radius = kGrip;
+        hand.response = kPullTime;
     }
     if (!hand.on) return;
     const Vector3 place = held_ + picture.beside(held_, drag.at) - picture.beside(held_, drag.from);

@@ -34,8 +34,8 @@ class AtTheBench : public ::testing::Test {
     void frames() {
         for (int i = 0; i < 2000; ++i) {
             time_ += 0.016;
-            bench_->begin_frame(time_, false);
-            bench_->end_frame(false);
+            bench_->begin_frame(time_, busy_);
+            bench_->end_frame(busy_);
             if (bench_->caught_up() && i > 1) return;
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
@@ -73,6 +73,7 @@ class AtTheBench : public ::testing::Test {
     UserFolders folders_;
     std::unique_ptr<Workbench> bench_;
     double time_ = 0;
+    bool busy_ = false;  // a hand is on something
 };
 
 }  // namespace ember

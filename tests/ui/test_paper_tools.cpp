@@ -23,6 +23,7 @@ class Tools : public AtTheBench {
         return {double(p.x()), double(p.y())};
     }
     void use(Drag drag, PicturePoint from, PicturePoint to) {
+        busy_ = true;
         tools_.use({drag, from, from, true, false}, picture(), *bench_);
         steps(3);
         tools_.use({drag, to, from, false, false}, picture(), *bench_);
@@ -30,6 +31,7 @@ class Tools : public AtTheBench {
     }
     void let_go(Drag drag, PicturePoint from, PicturePoint to) {
         tools_.use({drag, to, from, false, true}, picture(), *bench_);
+        busy_ = false;
         frames();
     }
     PaperTools tools_;
@@ -47,13 +49,19 @@ TEST_F(Tools, TheRayThroughANodeMeetsIt) {
 
 TEST_F(Tools, ATouchPullsThePaperAndLeavesNoTraceInThePreset) {
     const PicturePoint from = on_screen(middle_), to{from.x + 40, from.y};
-    const double x = bench_->snapshot().view.sheets[0].x[middle_];
+    const auto place = [&] {
+        const SheetView& sheet = bench_->snapshot().view.sheets[0];
+        return Vector3(sheet.x[middle_], sheet.y[middle_], sheet.z[middle_]);
+    };
+    const Vector3 before = place();
     use(Drag::Touch, from, to);
     EXPECT_TRUE(bench_->snapshot().params.hand.on);
     EXPECT_EQ(bench_->snapshot().params.hand.row, 6);
     EXPECT_EQ(bench_->snapshot().params.hand.column, 8);
     steps(20);
-    EXPECT_GT(bench_->snapshot().view.sheets[0].x[middle_], x + 0.002);
+    const HandParams& hand = bench_->snapshot().params.hand;
+    const Vector3 wanted = Vector3(hand.x, hand.y, hand.z) - before;
+    EXPECT_GT((place() - before).dot(wanted.normalized()), 0.003);
     let_go(Drag::Touch, from, to);
     EXPECT_FALSE(bench_->snapshot().params.hand.on);
     EXPECT_FALSE(bench_->dirty());
