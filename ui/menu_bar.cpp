@@ -112,8 +112,8 @@ void action_button(Workbench& bench, Action action, const char* label, float wid
     if (binding.name[0] != '\0') ImGui::SetTooltip("%s (%s)", binding.text, binding.name);
 }
 
-void draw_menu_bar(Workbench& bench) {
-    if (!ImGui::BeginMainMenuBar()) return;
+void draw_menu_bar(const Layout& layout, Workbench& bench) {
+    if (layout.menu <= 0 || !ImGui::BeginMainMenuBar()) return;
     for (const char* menu : kMenus) {
         if (!ImGui::BeginMenu(menu)) continue;
         entries(bench, menu);

@@ -20,7 +20,7 @@ struct Layout {
 void draw_main_panel(const Layout& layout, Workbench& bench);
 
 /// The menus at the top, from the table of keys, with the preset's name.
-void draw_menu_bar(Workbench& bench);
+void draw_menu_bar(const Layout& layout, Workbench& bench);
 
 /// Buttons of time, and the burn so far to drag along.
 void draw_timeline(const Layout& layout, Workbench& bench);

@@ -37,6 +37,7 @@ void apply_theme(float scale) {
     style.GrabRounding = 3.0f;
     style.WindowBorderSize = 0.0f;
     style.WindowPadding = ImVec2(12, 12);
+    style.WindowMinSize = ImVec2(8, 8);
     style.ItemSpacing = ImVec2(8, 6);
     style.FramePadding = ImVec2(6, 3);
     style.ScaleAllSizes(scale);

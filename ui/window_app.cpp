@@ -147,7 +147,7 @@ class App {
         Gui::begin_frame();
         layout_ = layout_of(bench_);
         plots_.add(bench_.pictured());
-        draw_menu_bar(bench_);
+        draw_menu_bar(layout_, bench_);
         draw_main_panel(layout_, bench_);
         draw_timeline(layout_, bench_);
         draw_status_bar(layout_, bench_, speed_.times());

@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
             ImGui::NewFrame();
             const Layout layout = layout_of(bench);
             plots.add(bench.snapshot());
-            draw_menu_bar(bench);
+            draw_menu_bar(layout, bench);
             draw_main_panel(layout, bench);
             draw_timeline(layout, bench);
             draw_status_bar(layout, bench, FrameTimes{});

@@ -61,7 +61,7 @@ class Panels : public ::testing::Test {
         bench_->begin_frame(time_, busy_);
         ImGui::NewFrame();
         layout_ = layout_of(*bench_);
-        draw_menu_bar(*bench_);
+        draw_menu_bar(layout_, *bench_);
         draw_main_panel(layout_, *bench_);
         draw_timeline(layout_, *bench_);
         draw_status_bar(layout_, *bench_, FrameTimes{});
