@@ -99,20 +99,22 @@ void key_lines(std::string_view menu) {
     }
 }
 
-// A part of the sheet: a title, and names of that width [font sizes] in front of what they do.
+// A part of the sheet: a title, and names in front of what they do, of those widths [font sizes].
 template <class Lines>
-void section(const char* title, float width, Lines&& lines) {
+void section(const char* title, float width, float text_width, Lines&& lines) {
     ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", title);
     if (!ImGui::BeginTable(title, 2, ImGuiTableFlags_NoHostExtendX)) return;
     const float font = ImGui::GetFontSize();
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, width * font);
-    ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthFixed, 14.5f * font);
+    ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthFixed, text_width * font);
     lines();
     ImGui::EndTable();
 }
 
 void key_columns() {
-    const auto keys = [](const char* menu) { section(menu, 7, [menu] { key_lines(menu); }); };
+    const auto keys = [](const char* menu) {
+        section(menu, 8.7f, 14.5f, [menu] { key_lines(menu); });
+    };
     ImGui::BeginGroup();
     keys("File");
     keys("Edit");
@@ -124,7 +126,7 @@ void key_columns() {
     ImGui::EndGroup();
     ImGui::SameLine(0, ImGui::GetFontSize());
     ImGui::BeginGroup();
-    section("View", 7, [] {
+    section("View", 8.7f, 14.5f, [] {
         key_lines("View");
         key_lines("");
     });
@@ -141,7 +143,7 @@ void help_sheet(Workbench& bench) {
     if (ImGui::Begin("Keys and mouse", &bench.shown.help, flags)) {
         key_columns();
         ImGui::BeginGroup();
-        section("Mouse on the picture", 12, [&] {
+        section("Mouse on the picture", 12, 13, [&] {
             for (const DragBinding& drag : drag_bindings()) {
                 if (in_scheme(drag, bench.settings.scheme)) line(drag.name, "%s", drag.text);
             }
@@ -149,7 +151,7 @@ void help_sheet(Workbench& bench) {
         ImGui::EndGroup();
         ImGui::SameLine(0, 2 * ImGui::GetFontSize());
         ImGui::BeginGroup();
-        section("Mouse elsewhere", 12, [&] {
+        section("Mouse elsewhere", 12, 23, [&] {
             for (const MouseHint& hint : mouse_hints())
                 line(hint.name, "%s", hint.text);
         });

@@ -81,15 +81,19 @@ void scrub_bar(Workbench& bench) {
                            ImVec2(x, from.y + 0.45f * font),
                            ImGui::GetColorU32(ImGuiCol_CheckMark));
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
-    ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().MousePos.x, from.y - 0.3f * font),
-                            ImGuiCond_Always, ImVec2(0.5f, 1));
     const std::string kept = t.interval == 1
                                  ? "every state is kept"
                                  : "a state is kept every " + std::to_string(t.interval) + " ticks";
-    ImGui::SetTooltip("%.2f of %.2f s; %s, %.0f MB; lines are edits",
-                      static_cast<double>(t.cursor) * t.tick_duration,
-                      static_cast<double>(t.end) * t.tick_duration, kept.c_str(),
-                      static_cast<double>(t.bytes) / 1e6);
+    char text[160];
+    std::snprintf(text, sizeof text, "%.2f of %.2f s; %s, %.0f MB; lines are edits",
+                  static_cast<double>(t.cursor) * t.tick_duration,
+                  static_cast<double>(t.end) * t.tick_duration, kept.c_str(),
+                  static_cast<double>(t.bytes) / 1e6);
+    const float half = 0.5f * ImGui::CalcTextSize(text).x + 2 * font;
+    const float middle = std::clamp(ImGui::GetIO().MousePos.x, half, std::max(half, to.x - half));
+    ImGui::SetNextWindowPos(ImVec2(middle, from.y - 0.3f * font), ImGuiCond_Always,
+                            ImVec2(0.5f, 1));
+    ImGui::SetTooltip("%s", text);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ drag() { # from x y to x y
 }
 shot() {
     if [[ -n $shots ]]; then
+        xdotool mousemove $((700 * scale)) $((560 * scale))
         sleep 2
         import -window root "$shots/$1_x$scale.png"
     fi
@@ -118,7 +119,7 @@ wait_until "what is saved is not modified" 10 titled 'quick_v_r - *'
 
 xdotool key ctrl+d d
 shot 10_side_by_side
-xdotool key x sleep 0.5 x sleep 0.5 d sleep 0.5
+xdotool key x sleep 0.5 key x sleep 0.5 key d sleep 0.5
 
 xdotool key ctrl+e
 sleep 1.5
@@ -132,7 +133,7 @@ pictured() { compgen -G "$home/Pictures/emberleaf/*.png" >/dev/null; }
 wait_until "a screenshot" 30 pictured
 xdotool key ctrl+o
 shot 13_presets
-xdotool key Escape ctrl+r sleep 1
+xdotool key Escape sleep 0.5 key ctrl+r sleep 1
 wait_until "reading it again" 20 titled 'quick_v_r - *'
 
 xdotool key ctrl+q
