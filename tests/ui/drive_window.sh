@@ -33,8 +33,8 @@ wait_until() {
     fail "$what: $(title)"
 }
 titled() { [[ $(title) == $1 ]]; }
-later_than() { awk -v a="$(clock)" -v b="$1" 'BEGIN { exit !(a > b) }'; }
-earlier_than() { awk -v a="$(clock)" -v b="$1" 'BEGIN { exit !(a < b) }'; }
+later_than() { awk -v a="$(clock)" -v b="$1" 'BEGIN { exit !(a + 0 > b + 0) }'; }
+earlier_than() { awk -v a="$(clock)" -v b="$1" 'BEGIN { exit !(a + 0 < b + 0) }'; }
 at() { xdotool mousemove $(($1 * scale)) $(($2 * scale)) sleep 0.3; }
 drag() { # from x y to x y
     at "$1" "$2"
@@ -66,7 +66,7 @@ xdotool key space
 wait_until "it pauses" 10 titled '*, paused*'
 paused="$(title)"
 sleep 1
-[[ $paused == "$(title)" ]] || fail "the time goes on while paused"
+[[ $paused == "$(title)" ]] || fail "the time goes on while paused: $paused, $(title)"
 shot 1_paused
 
 xdotool key ctrl+Left
