@@ -169,7 +169,9 @@ ImVec4 colour_of(Severity severity) {
 void toasts(const Layout& layout, const Workbench& bench) {
     const auto fresh = bench.notices.fresh(bench.now());
     const bool placing = bench.shown.placing, comparing = bench.shown.comparing;
-    if (fresh.empty() && !placing && !comparing) return;
+    const bool begins =
+        (comparing || bench.shown.side_by_side) && bench.snapshot().beside == nullptr;
+    if (fresh.empty() && !placing && !comparing && !begins) return;
     const float gap = ImGui::GetFontSize(), width = static_cast<float>(layout.picture.width);
     ImGui::SetNextWindowPos(ImVec2(gap, static_cast<float>(layout.picture.y) + gap));
     ImGui::SetNextWindowSize(ImVec2(std::min(width - 2 * gap, 44 * gap), 0));
@@ -181,8 +183,7 @@ void toasts(const Layout& layout, const Workbench& bench) {
             ImGui::PopStyleColor();
         }
         if (placing) ImGui::TextUnformatted("Click where the lighter should be; Esc stops.");
-        if (comparing && bench.snapshot().beside == nullptr)
-            ImGui::TextUnformatted("The other slot begins to burn ...");
+        if (begins) ImGui::TextUnformatted("The other slot begins to burn ...");
         if (comparing && bench.snapshot().beside != nullptr)
             ImGui::Text("Slot %s at %.2f s", bench.slot()[0] == 'A' ? "B" : "A",
                         bench.snapshot().beside->stats.time);
@@ -265,7 +266,7 @@ void draw_probe(const PictureCamera& picture, const Snapshot& shot) {
 
 void draw_overlays(const Layout& layout, Workbench& bench, const PlotData& plots) {
     const Snapshot& shot = bench.pictured();
-    if (bench.shown.side_by_side) slot_names(layout, bench);
+    if (bench.both_shown()) slot_names(layout, bench);
     if (bench.settings.show_info) figures(layout, shot);
     if (bench.settings.show_profiler) profiler(layout, shot);
     if (bench.settings.show_plots) draw_plots(layout.picture, plots, shot);

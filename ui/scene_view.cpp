@@ -44,7 +44,7 @@ void SceneView::draw(Workbench& bench, const PictureRect& picture, double scale,
     const Snapshot& shot = bench.snapshot();
     const int whole = pixels(picture.width, scale), high = pixels(picture.height, scale);
     const int bottom = height - pixels(picture.y, scale) - high;
-    const bool both = bench.shown.side_by_side && shot.beside != nullptr;
+    const bool both = bench.both_shown();
     const int wide = both ? whole / 2 : whole;
     try {
         const Snapshot& first = both ? shot : bench.pictured();

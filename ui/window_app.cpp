@@ -77,7 +77,10 @@ class App {
             last = now;
             obey();
             if (bench_.requests.quit) return;
-            if (!changed() && frames_due_ == 0) continue;
+            const bool news = changed();
+            // ImGui fits a window to what is new in it a frame later
+            if (news && !playing) frames_due_ = std::max(frames_due_, 2);
+            if (!news && frames_due_ == 0) continue;
             frames_due_ = std::max(0, frames_due_ - 1);
             frame();
             speed_.drawn(glfwGetTime() - now);
@@ -164,7 +167,7 @@ class App {
 
     void use_mouse() {
         PictureRect tools = layout_.picture;
-        if (bench_.shown.side_by_side) tools.width /= 2;
+        if (bench_.both_shown()) tools.width /= 2;
         const PictureCamera picture = camera_of(tools, bench_.values.render.camera);
         const bool taken = handles_.update(picture, bench_);
         const auto drag = controls_.update(bench_.values.render.camera, bench_.settings.scheme,

@@ -62,6 +62,10 @@ class Workbench {
     [[nodiscard]] const Snapshot& snapshot() const { return *snapshot_; }
     /// What the picture shows: this burn, or the one beside it while they are compared.
     [[nodiscard]] const Snapshot& pictured() const;
+    /// Whether the picture shows both slots.
+    [[nodiscard]] bool both_shown() const {
+        return shown.side_by_side && snapshot_->beside != nullptr;
+    }
     [[nodiscard]] const Document& document() const { return document_; }
     [[nodiscard]] const EditHistory& history() const { return history_; }
     [[nodiscard]] const UserFolders& folders() const { return folders_; }
