@@ -88,7 +88,6 @@ int main(int argc, char** argv) {
         });
         std::printf("panels: %.2f ms to lay out, %.2f ms to paint\npicture of %dx%d: %.1f ms\n",
                     panels, painted, width, height, drawn);
-        std::printf("tick: %.2f ms\n", 1e3 * bench.snapshot().stats.tick_seconds);
     }
     ImGui::DestroyContext();
     return 0;
