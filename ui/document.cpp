@@ -127,6 +127,8 @@ Document open_document(const std::filesystem::path& path) {
     if (result.ok()) {
         for (Diagnostic& d : read_masks(document.saved.params, result.info))
             problems.push_back(std::move(d));
+        for (Diagnostic& d : read_prints(document.saved.render, result.info))
+            problems.push_back(std::move(d));
     }
     if (result.ok()) {
         try {
@@ -178,9 +180,20 @@ Document save_document(const Document& document, const PresetValues& values,
 
 std::string take_text(const Document& document, const PresetValues& base,
                       const std::vector<TimedParams>& script) {
+    const std::vector<PresetEvent> events = events_of(base.params, script);
+    PresetValues saved = document.saved, values = base;
+    const PrintParams& print = base.render.print;
+    // pictures are named from where the preset is: it must go on being the one that names them
+    const bool pictures = !base.params.masks.empty() || !print.front.empty() || !print.back.empty();
+    bool complete = false;
+    const auto changes = changes_between(saved.bindings(), values.bindings(), complete);
+    if (pictures && complete) {
+        const std::string start = "schema = 1\ntitle = " + quoted(document.title()) +
+                                  "\ninherits = " + quoted(name_of(document.info.path)) + '\n';
+        return edited_preset(start, changes) + events_text(events);
+    }
     PresetInfo info = document.info;
-    info.events = events_of(base.params, script);
-    PresetValues values = base;
+    info.events = events;
     return preset_text(values.bindings(), info);
 }
 

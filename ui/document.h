@@ -56,7 +56,8 @@ struct Document {
 [[nodiscard]] Document save_document(const Document& document, const PresetValues& values,
                                      const std::filesystem::path& path);
 
-/// A complete preset with what a person did in mid-burn: a take.
+/// A complete preset with what a person did in mid-burn: a take. Where pictures belong to it, one
+/// that inherits the document instead, beside which they are.
 [[nodiscard]] std::string take_text(const Document& document, const PresetValues& base,
                                     const std::vector<TimedParams>& script);
 

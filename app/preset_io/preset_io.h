@@ -87,6 +87,9 @@ struct PresetResult {
 [[nodiscard]] std::string preset_text(std::span<const ParamBinding> bindings,
                                       const PresetInfo& info);
 
+/// Events as they stand at the end of a preset.
+[[nodiscard]] std::string events_text(std::span<const PresetEvent> events);
+
 /// docs/PARAMETERS.md, generated from the tables; the bound objects must hold the defaults.
 [[nodiscard]] std::string parameters_markdown(std::span<const ParamBinding> bindings);
 

@@ -59,7 +59,13 @@ std::string preset_text(std::span<const ParamBinding> bindings, const PresetInfo
             }
         }
     }
-    for (const PresetEvent& event : info.events) {
+    out << events_text(info.events);
+    return out.str();
+}
+
+std::string events_text(std::span<const PresetEvent> events) {
+    std::ostringstream out;
+    for (const PresetEvent& event : events) {
         out << "\n[[events]]\ntick = " << event.tick << "\nset = [";
         for (std::size_t i = 0; i < event.set.size(); ++i)
             out << (i > 0 ? ", " : "") << quoted(event.set[i]);

@@ -155,6 +155,14 @@ TEST_F(AtTheBench, ATakeIsWhatWasDoneAndOpensAgain) {
     EXPECT_EQ(bench_->snapshot().hash, hash);
 }
 
+TEST_F(AtTheBench, ATakeOfAPresetWithPicturesFindsThem) {
+    bench_->open(find_preset("scenes/leaf", ""));
+    frames();
+    steps(3);
+    const std::filesystem::path take = bench_->save_take(folders_.state);
+    EXPECT_FALSE(open_document(take).saved.params.masks.empty());
+}
+
 TEST_F(AtTheBench, ARecordingIsTheProgramItself) {
     bench_->recording = Recording(EMBERLEAF_BINARY);
     steps(4);
