@@ -11,9 +11,9 @@
 #include <half.h>
 #endif
 
-#include <unistd.h>
-
 #include <stdexcept>
+
+#include "app/preset_io/atomic_file.h"
 
 namespace ember {
 
@@ -64,15 +64,30 @@ bool exr_available() {
 }
 
 void write_exr(const std::filesystem::path& path, const FloatImage& image, const ImageText& text) {
-    std::filesystem::path temporary = path;
-    temporary += ".tmp-" + std::to_string(::getpid());
+    const std::filesystem::path temporary = temporary_name(path);
     try {
         write(temporary.string(), image, text);
-        std::filesystem::rename(temporary, path);
     } catch (const std::exception& e) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
         fail(path, std::string("cannot write: ") + e.what());
+    }
+    publish_file(temporary, path);
+}
+
+ImageText read_exr_text(const std::filesystem::path& path) {
+    try {
+        const Imf::InputFile file(path.c_str());
+        if (!file.isComplete()) throw std::runtime_error("the file is not whole");
+        ImageText text;
+        const Imf::Header& header = file.header();
+        for (auto a = header.begin(); a != header.end(); ++a) {
+            const auto* value = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
+            if (value != nullptr) text.emplace_back(a.name(), value->value());
+        }
+        return text;
+    } catch (const std::exception& e) {
+        fail(path, e.what());
     }
 }
 
@@ -102,6 +117,10 @@ bool exr_available() {
 }
 
 void write_exr(const std::filesystem::path& path, const FloatImage&, const ImageText&) {
+    throw std::runtime_error(path.string() + ": this program was built without OpenEXR");
+}
+
+ImageText read_exr_text(const std::filesystem::path& path) {
     throw std::runtime_error(path.string() + ": this program was built without OpenEXR");
 }
 

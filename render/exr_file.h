@@ -16,6 +16,10 @@ namespace ember {
 /// with path and reason, also when OpenEXR is not there.
 void write_exr(const std::filesystem::path& path, const FloatImage& image, const ImageText& text);
 
+/// The texts that write_exr was given. Throws std::runtime_error when the file is missing, not
+/// whole or no EXR file.
+[[nodiscard]] ImageText read_exr_text(const std::filesystem::path& path);
+
 /// Throws std::runtime_error when the file is missing or no EXR file. Channels by name.
 [[nodiscard]] FloatImage read_exr(const std::filesystem::path& path);
 

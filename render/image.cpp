@@ -1,159 +1,165 @@
 #include "render/image.h"
 
-#include <fcntl.h>
-#include <stb_image.h>
-#include <stb_image_write.h>
-#include <unistd.h>
+#include <png.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <csetjmp>
 #include <cstring>
 #include <fstream>
-#include <memory>
+#include <iterator>
 #include <stdexcept>
+
+#include "app/preset_io/atomic_file.h"
 
 namespace ember {
 namespace {
 
-using Bytes = std::vector<unsigned char>;
-
-constexpr std::ptrdiff_t kSignature = 8;     // bytes of the PNG signature
-constexpr std::ptrdiff_t kHeaderChunk = 25;  // length, "IHDR", 13 bytes, CRC
-constexpr std::size_t kAroundData = 12;      // length, type and CRC of a chunk
+// Of a picture of 1920x1080, a fifth of the time and half as much again in size as the library's
+// own choice.
+constexpr int kCompression = 1;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
     throw std::runtime_error(path.string() + ": " + reason);
 }
 
-// CRC-32 of the PNG specification (ISO 3309), a byte at a time without a table.
-std::uint32_t crc32(const unsigned char* bytes, std::size_t count) {
-    std::uint32_t crc = 0xFFFFFFFFu;
-    for (std::size_t i = 0; i < count; ++i) {
-        crc ^= bytes[i];
-        for (int bit = 0; bit < 8; ++bit)
-            crc = (crc >> 1) ^ (0xEDB88320u & (0u - (crc & 1u)));
+// The library reports errors by a jump: no object with a destructor may be made on its way, so all
+// that it works with is here.
+struct Coder {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::string bytes;     // of the file
+    std::size_t read = 0;  // of them
+    std::string error;     // why it has failed
+    std::vector<png_bytep> rows;
+
+    static void on_error(png_structp png, png_const_charp message) {
+        static_cast<Coder*>(png_get_error_ptr(png))->error = message;
+        png_longjmp(png, 1);
     }
-    return ~crc;
-}
-
-void put32(Bytes& out, std::uint32_t value) {
-    for (int shift = 24; shift >= 0; shift -= 8) {
-        out.push_back(static_cast<unsigned char>(value >> shift & 0xFFu));
+    static void on_warning(png_structp, png_const_charp) {}
+    static void on_write(png_structp png, png_bytep data, std::size_t count) {
+        static_cast<Coder*>(png_get_io_ptr(png))
+            ->bytes.append(reinterpret_cast<const char*>(data), count);
     }
-}
-
-std::uint32_t get32(const Bytes& in, std::size_t at) {
-    return static_cast<std::uint32_t>(in[at]) << 24 | static_cast<std::uint32_t>(in[at + 1]) << 16 |
-           static_cast<std::uint32_t>(in[at + 2]) << 8 | static_cast<std::uint32_t>(in[at + 3]);
-}
-
-void put_text_chunk(Bytes& out, const std::string& keyword, const std::string& text) {
-    put32(out, static_cast<std::uint32_t>(keyword.size() + 1 + text.size()));
-    const std::size_t type = out.size();
-    for (const char c : std::string("tEXt") + keyword)
-        out.push_back(static_cast<unsigned char>(c));
-    out.push_back(0);
-    for (const char c : text)
-        out.push_back(static_cast<unsigned char>(c));
-    put32(out, crc32(out.data() + type, out.size() - type));
-}
-
-Bytes encode(const Image& image, const ImageText& text) {
-    Bytes png;
-    const auto append = [](void* context, void* data, int size) {
-        const auto* bytes = static_cast<const unsigned char*>(data);
-        static_cast<Bytes*>(context)->insert(static_cast<Bytes*>(context)->end(), bytes,
-                                             bytes + size);
-    };
-    if (stbi_write_png_to_func(append, &png, image.width, image.height, 4, image.rgba.data(),
-                               image.width * 4) == 0) {
-        throw std::runtime_error("out of memory while encoding a PNG");
+    static void on_read(png_structp png, png_bytep data, std::size_t count) {
+        auto* coder = static_cast<Coder*>(png_get_io_ptr(png));
+        if (count > coder->bytes.size() - coder->read) png_error(png, "the file is not whole");
+        std::memcpy(data, coder->bytes.data() + coder->read, count);
+        coder->read += count;
     }
-    const auto split = png.begin() + kSignature + kHeaderChunk;
-    Bytes out(png.begin(), split);
-    for (const auto& [keyword, value] : text)
-        put_text_chunk(out, keyword, value);
-    out.insert(out.end(), split, png.end());
-    return out;
+};
+
+bool is_ascii(const std::string& text) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
 }
 
-// Writes all bytes and makes them durable; the caller removes the file when this throws.
-void write_all(const std::filesystem::path& path, const Bytes& bytes) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (file < 0) fail(path, std::strerror(errno));
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t count = ::write(file, bytes.data() + done, bytes.size() - done);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) {
-            const std::string reason = std::strerror(errno);
-            ::close(file);
-            fail(path, reason);
-        }
-        done += static_cast<std::size_t>(count);
+std::vector<png_text> chunks(const ImageText& text) {
+    std::vector<png_text> all;
+    for (const auto& [keyword, value] : text) {
+        png_text chunk{};
+        chunk.compression = is_ascii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+        chunk.key = const_cast<png_charp>(keyword.c_str());
+        chunk.text = const_cast<png_charp>(value.c_str());
+        chunk.text_length = value.size();
+        all.push_back(chunk);
     }
-    const bool synced = ::fsync(file) == 0;
-    const std::string reason = synced ? "" : std::strerror(errno);
-    if (::close(file) != 0 || !synced) fail(path, synced ? std::strerror(errno) : reason);
+    return all;
 }
 
-Bytes read_all(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) fail(path, std::strerror(errno));
-    return Bytes(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+bool write_chunks(Coder& coder, const Image& image, std::vector<png_text>& text) {
+    if (setjmp(png_jmpbuf(coder.png)) != 0) return false;
+    png_set_write_fn(coder.png, &coder, Coder::on_write, nullptr);
+    png_set_IHDR(coder.png, coder.info, static_cast<png_uint_32>(image.width),
+                 static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB_gAMA_and_cHRM(coder.png, coder.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_text(coder.png, coder.info, text.data(), static_cast<int>(text.size()));
+    png_set_filter(coder.png, 0, PNG_FILTER_SUB);
+    png_set_compression_level(coder.png, kCompression);
+    png_write_info(coder.png, coder.info);
+    png_write_image(coder.png, coder.rows.data());
+    png_write_end(coder.png, nullptr);
+    return true;
+}
+
+bool read_head(Coder& coder) {
+    if (setjmp(png_jmpbuf(coder.png)) != 0) return false;
+    png_set_read_fn(coder.png, &coder, Coder::on_read);
+    png_set_crc_action(coder.png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+    png_read_info(coder.png, coder.info);
+    png_set_expand(coder.png);
+    png_set_strip_16(coder.png);
+    png_set_gray_to_rgb(coder.png);
+    png_set_filler(coder.png, 0xFF, PNG_FILLER_AFTER);
+    static_cast<void>(png_set_interlace_handling(coder.png));
+    png_read_update_info(coder.png, coder.info);
+    return true;
+}
+
+bool read_rows(Coder& coder) {
+    if (setjmp(png_jmpbuf(coder.png)) != 0) return false;
+    png_read_image(coder.png, coder.rows.data());
+    png_read_end(coder.png, nullptr);
+    return true;
+}
+
+void point_at_rows(Coder& coder, const std::uint8_t* pixels, int width, int height) {
+    coder.rows.resize(static_cast<std::size_t>(height));
+    for (std::size_t y = 0; y < coder.rows.size(); ++y)
+        coder.rows[y] = const_cast<png_bytep>(pixels) + y * static_cast<std::size_t>(width) * 4;
 }
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, const Image& image, const ImageText& text) {
+std::string encode_png(const Image& image, const ImageText& text) {
     if (image.width <= 0 || image.height <= 0 ||
         image.rgba.size() != std::size_t(image.width) * std::size_t(image.height) * 4) {
-        fail(path, "image has no pixels");
+        throw std::runtime_error("image has no pixels");
     }
-    const Bytes bytes = encode(image, text);
-    std::filesystem::path temporary = path;
-    temporary += ".tmp-" + std::to_string(::getpid());
+    Coder coder;
+    std::vector<png_text> all = chunks(text);
+    point_at_rows(coder, image.rgba.data(), image.width, image.height);
+    coder.png =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, &coder, Coder::on_error, Coder::on_warning);
+    coder.info = png_create_info_struct(coder.png);
+    const bool good = write_chunks(coder, image, all);
+    png_destroy_write_struct(&coder.png, &coder.info);
+    if (!good) throw std::runtime_error("PNG: " + coder.error);
+    return std::move(coder.bytes);
+}
+
+void write_png(const std::filesystem::path& path, const Image& image, const ImageText& text) {
+    std::string bytes;
     try {
-        write_all(temporary, bytes);
-        std::filesystem::rename(temporary, path);
-    } catch (const std::exception& e) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        fail(path, std::string("cannot write: ") + e.what());
+        bytes = encode_png(image, text);
+    } catch (const std::runtime_error& e) {
+        fail(path, e.what());
     }
+    write_file(path, bytes);
 }
 
 Image read_image(const std::filesystem::path& path) {
-    const Bytes bytes = read_all(path);
+    std::ifstream in(path, std::ios::binary);
+    if (!in) fail(path, std::strerror(errno));
+    if (!is_png(path)) fail(path, "not a PNG file");
+    Coder coder;
+    coder.bytes.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+    coder.png =
+        png_create_read_struct(PNG_LIBPNG_VER_STRING, &coder, Coder::on_error, Coder::on_warning);
+    coder.info = png_create_info_struct(coder.png);
     Image image;
-    int channels = 0;
-    const std::unique_ptr<unsigned char, void (*)(void*)> pixels(
-        stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &image.width,
-                              &image.height, &channels, 4),
-        stbi_image_free);
-    if (!pixels) fail(path, std::string("not an image: ") + stbi_failure_reason());
-    image.rgba.assign(pixels.get(),
-                      pixels.get() + std::size_t(image.width) * std::size_t(image.height) * 4);
-    return image;
-}
-
-ImageText read_png_text(const std::filesystem::path& path) {
-    const Bytes bytes = read_all(path);
-    ImageText text;
-    auto at = static_cast<std::size_t>(kSignature);
-    while (at + kAroundData <= bytes.size()) {
-        const std::size_t length = get32(bytes, at);
-        if (length > bytes.size() - at - kAroundData) fail(path, "a chunk is longer than the file");
-        const auto* begin = reinterpret_cast<const char*>(bytes.data() + at + 8);
-        if (std::memcmp(bytes.data() + at + 4, "tEXt", 4) == 0) {
-            const std::string data(begin, length);
-            const std::size_t zero = data.find('\0');
-            if (zero != std::string::npos) {
-                text.emplace_back(data.substr(0, zero), data.substr(zero + 1));
-            }
-        }
-        at += length + kAroundData;
+    bool good = read_head(coder);
+    if (good) {
+        image.width = static_cast<int>(png_get_image_width(coder.png, coder.info));
+        image.height = static_cast<int>(png_get_image_height(coder.png, coder.info));
+        image.rgba.resize(std::size_t(image.width) * std::size_t(image.height) * 4);
+        point_at_rows(coder, image.rgba.data(), image.width, image.height);
+        good = read_rows(coder);
     }
-    return text;
+    png_destroy_read_struct(&coder.png, &coder.info, nullptr);
+    if (!good) fail(path, coder.error);
+    return image;
 }
 
 }  // namespace ember

@@ -1,11 +1,12 @@
-// 8-bit images: PNG in and out, with text chunks.
+// 8-bit images: PNG in and out, with texts.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "app/preset_io/png_text.h"
 
 namespace ember {
 
@@ -15,17 +16,15 @@ struct Image {
     std::vector<std::uint8_t> rgba;
 };
 
-/// PNG tEXt chunks: keyword (1 to 79 Latin-1 characters) and text.
-using ImageText = std::vector<std::pair<std::string, std::string>>;
+/// The bytes of a PNG file. Throws std::runtime_error for an image without its pixels.
+[[nodiscard]] std::string encode_png(const Image& image, const ImageText& text = {});
 
 /// Writes `path` through a temporary file in the same folder that is renamed when complete.
 /// Throws std::runtime_error with path and reason; never leaves half a file under `path`.
 void write_png(const std::filesystem::path& path, const Image& image, const ImageText& text = {});
 
-/// Throws std::runtime_error when the file is missing or is no image.
+/// Reads a PNG to its end and checks every checksum. Throws std::runtime_error with path and
+/// reason when the file is missing, damaged or not whole.
 [[nodiscard]] Image read_image(const std::filesystem::path& path);
-
-/// The text chunks of a PNG.
-[[nodiscard]] ImageText read_png_text(const std::filesystem::path& path);
 
 }  // namespace ember

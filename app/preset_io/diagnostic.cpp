@@ -2,6 +2,7 @@
 #include <fstream>
 
 #include "app/preset_io/nearest_word.h"
+#include "app/preset_io/png_text.h"
 #include "app/preset_io/preset_io.h"
 
 namespace ember {
@@ -15,7 +16,7 @@ std::string Diagnostic::text() const {
 }
 
 std::string Diagnostic::excerpt() const {
-    if (line <= 0) return {};
+    if (line <= 0 || is_png(file)) return {};
     std::ifstream in(file);
     std::string source;
     for (int number = 0; number < line; ++number) {

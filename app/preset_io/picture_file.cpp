@@ -7,6 +7,8 @@
 #include <fstream>
 #include <memory>
 
+#include "app/preset_io/png_text.h"
+
 namespace ember {
 namespace {
 
@@ -52,13 +54,22 @@ std::string read_png(const fs::path& path, PictureFile& picture) {
     return "";
 }
 
+// Beside the preset that names it, or beside the one that the naming picture was made from.
+fs::path place_of(const std::string& name, const fs::path& said_in) {
+    const fs::path beside = said_in.parent_path() / name;
+    if (fs::exists(beside) || !is_png(said_in)) return beside;
+    const ImageText text = read_png_text(said_in);
+    const std::string* source = find_text(text, "Source");
+    return source == nullptr ? beside : fs::path(*source).parent_path() / name;
+}
+
 }  // namespace
 
 Diagnostic read_picture(const std::string& key, const std::string& name, const PresetInfo& info,
                         PictureFile& picture) {
     Diagnostic problem = place_error(info, SceneError(key, ""));
     const fs::path said_in = problem.line > 0 ? fs::path(problem.file) : info.path;
-    picture.path = said_in.parent_path() / name;
+    picture.path = place_of(name, said_in);
     problem.message = leads_out(name)
                           ? "expected a file in the preset's own folder, got \"" + name + '"'
                           : read_png(picture.path, picture);

@@ -8,6 +8,7 @@
 
 #include "app/preset_io/param_target.h"
 #include "app/preset_io/parameter_value.h"
+#include "app/preset_io/png_text.h"
 #include "app/preset_io/toml_value.h"
 
 namespace ember {
@@ -52,6 +53,7 @@ class Reader {
             report({}, "", error ? error.message() : "not a file");
             return std::nullopt;
         }
+        if (is_png(path)) return parse_picture(path);
         if (size > kLargestFile) {
             report({}, "", "larger than 1 MiB, which no preset is");
             return std::nullopt;
@@ -59,8 +61,24 @@ class Reader {
         std::ifstream in(path, std::ios::binary);
         std::ostringstream text;
         text << in.rdbuf();
+        return parse(text.str(), path);
+    }
+
+    // The preset that a picture of ours was made from stands in it.
+    std::optional<toml::table> parse_picture(const std::filesystem::path& path) {
         try {
-            return toml::parse(text.str(), path.string());
+            const ImageText text = read_png_text(path);
+            if (const std::string* preset = find_text(text, "Preset")) return parse(*preset, path);
+            report({}, "", "no preset in this picture; those that emberleaf draws have one");
+        } catch (const std::runtime_error& e) {
+            report({}, "", std::string(e.what()).substr(path.string().size() + 2));
+        }
+        return std::nullopt;
+    }
+
+    std::optional<toml::table> parse(const std::string& text, const std::filesystem::path& path) {
+        try {
+            return toml::parse(text, path.string());
         } catch (const toml::parse_error& e) {
             report(e.source(), "", std::string(e.description()));
             return std::nullopt;

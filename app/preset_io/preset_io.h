@@ -55,8 +55,9 @@ struct PresetResult {
     [[nodiscard]] bool ok() const;  ///< no errors (warnings do not count)
 };
 
-/// Reads `path` with everything it inherits into the objects of `bindings` (which start out with
-/// their defaults). All problems are reported at once; on any error the objects are unspecified.
+/// Reads `path`, a preset or a picture that carries one, with everything it inherits into the
+/// objects of `bindings` (which start out with their defaults). All problems are reported at once;
+/// on any error the objects are unspecified.
 [[nodiscard]] PresetResult load_preset(const std::filesystem::path& path,
                                        std::span<const ParamBinding> bindings);
 
