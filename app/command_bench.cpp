@@ -61,7 +61,7 @@ void add_render(CLI::App& bench, Task& task) {
     command->add_option("--gl", options->gl, "how to draw without a window: auto, osmesa or egl")
         ->transform(CLI::CheckedTransformer(std::map<std::string, GlBackend>{
             {"auto", GlBackend::Auto}, {"osmesa", GlBackend::OsMesa}, {"egl", GlBackend::Egl}}))
-        ->type_name("NAME");
+        ->type_name("auto|osmesa|egl");
     command->callback([options, &task] { task = [options] { return bench_render(*options); }; });
 }
 
@@ -98,15 +98,14 @@ void add_validate(CLI::App& bench, Task& task) {
 
 }  // namespace
 
-void add_bench_command(CLI::App& app, Task& task) {
-    CLI::App* bench = app.add_subcommand("bench", "measure accuracy, speed and robustness");
-    bench->require_subcommand(1);
-    add_work_precision(*bench, task);
-    add_scaling(*bench, task);
-    add_stages(*bench, task);
-    add_render(*bench, task);
-    add_stress(*bench, task);
-    add_validate(*bench, task);
+void add_bench_command(CLI::App& command, Task& task) {
+    command.require_subcommand(1);
+    add_work_precision(command, task);
+    add_scaling(command, task);
+    add_stages(command, task);
+    add_render(command, task);
+    add_stress(command, task);
+    add_validate(command, task);
 }
 
 }  // namespace ember

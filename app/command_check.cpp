@@ -46,11 +46,10 @@ bool check_file(const std::string& name) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, Task& task) {
-    CLI::App* command = app.add_subcommand("check", "say everything that is wrong with presets");
+void add_check_command(CLI::App& command, Task& task) {
     const auto files = std::make_shared<std::vector<std::string>>();
-    command->add_option("FILE", *files, "preset files or names of built-in presets")->required();
-    command->callback([files, &task] {
+    command.add_option("FILE", *files, "preset files or names of built-in presets")->required();
+    command.callback([files, &task] {
         task = [files] {
             bool good = true;
             for (const std::string& file : *files)

@@ -45,17 +45,14 @@ int list_parameters(bool markdown) {
 
 }  // namespace
 
-void add_presets_command(CLI::App& app, Task& task) {
-    app.add_subcommand("presets", "list the built-in presets")->callback([&task] {
-        task = list_presets;
-    });
+void add_presets_command(CLI::App& command, Task& task) {
+    command.callback([&task] { task = list_presets; });
 }
 
-void add_params_command(CLI::App& app, Task& task) {
-    CLI::App* command = app.add_subcommand("params", "list the parameters");
+void add_params_command(CLI::App& command, Task& task) {
     const auto markdown = std::make_shared<bool>(false);
-    command->add_flag("--markdown", *markdown, "as docs/PARAMETERS.md");
-    command->callback(
+    command.add_flag("--markdown", *markdown, "as docs/PARAMETERS.md");
+    command.callback(
         [markdown, &task] { task = [markdown] { return list_parameters(*markdown); }; });
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/checkpoint.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/file_pattern.h"
@@ -21,13 +22,13 @@ namespace {
 struct SimulateOptions {
     RunOptions run;
     double seconds = -1;  // [s]; negative: the preset's shot
-    std::string stats, state, at;
+    std::string stats, state, save, resume, at, progress = "auto";
 };
 
 // The times of the states to write; the end unless others are asked for.
 std::vector<double> state_times(const SimulateOptions& options, double end) {
-    if (options.state.empty()) {
-        if (!options.at.empty()) throw InputError("--at: error: needs --state");
+    if (options.state.empty() && options.save.empty()) {
+        if (!options.at.empty()) throw InputError("--at: error: needs --state or --save");
         return {};
     }
     if (options.at.empty()) return {end};
@@ -69,7 +70,7 @@ class Run {
           preset_(preset),
           world_(world),
           ticks_(ticks),
-          progress_("ticks", ticks_, options.run.quiet),
+          progress_("ticks", ticks_, Progress::style_of(options.progress, options.run.quiet)),
           source_(world, stats_.observer(), [this](const StepReport& r) { note(r); }) {}
 
     int go(const std::vector<double>& times) {
@@ -98,6 +99,11 @@ class Run {
 
     bool write_state(std::size_t number, const std::vector<double>& times) {
         if (interrupt_signal() != 0) return true;
+        if (!options_.save.empty()) {
+            const FilePattern pattern(options_.save, times.size() > 1);
+            save_checkpoint(pattern.name(static_cast<long>(number)), world_, preset_);
+        }
+        if (options_.state.empty()) return true;
         FrameView frame;
         if (!source_.show(times[number], frame)) return false;
         const FilePattern pattern(options_.state, times.size() > 1);
@@ -128,28 +134,39 @@ int run_simulate(const SimulateOptions& options) {
     // whole ticks, so that the last state and its hash never depend on what is written when
     const auto ticks =
         static_cast<long>(std::ceil(seconds * preset.params.numerics.tick_rate - 1e-6));
-    if (!options.state.empty()) static_cast<void>(FilePattern(options.state));
+    for (const std::string& output : {options.state, options.save}) {
+        if (!output.empty()) static_cast<void>(FilePattern(output));
+    }
     World world = build_world(preset, options.run.threads);
+    if (!options.resume.empty()) load_checkpoint(options.resume, world, preset);
+    if (!times.empty() && times.front() + 1e-9 < world.state().time)
+        throw InputError("--at: error: a time lies before that of --resume");
     watch_for_interrupts();
     return Run(options, preset, world, ticks).go(times);
 }
 
 }  // namespace
 
-void add_simulate_command(CLI::App& app, Task& task) {
-    CLI::App* command = app.add_subcommand("simulate", "simulate without drawing");
+void add_simulate_command(CLI::App& command, Task& task) {
     const auto options = std::make_shared<SimulateOptions>();
-    add_run_options(*command, options->run);
-    command->add_option("--seconds", options->seconds, "how long; default: the preset's shot")
+    add_run_options(command, options->run);
+    command.add_option("--seconds", options->seconds, "how long; default: the preset's shot")
         ->check(CLI::Range(0.0, 86400.0))
         ->type_name("S");
-    command->add_option("--stats", options->stats, "write statistics of every tick as JSON")
+    command.add_option("--stats", options->stats, "write statistics of every tick as JSON")
         ->type_name("FILE");
-    command->add_option("--state", options->state, "write the state as PLY: end.ply, out_####.ply")
+    command.add_option("--state", options->state, "write the state as PLY: end.ply, out_####.ply")
         ->type_name("FILE");
-    command->add_option("--at", options->at, "times of the states; default: the end")
+    command.add_option("--save", options->save, "save the simulation, to go on with it: end.state")
+        ->type_name("FILE");
+    command.add_option("--resume", options->resume, "begin with what --save has saved")
+        ->type_name("FILE");
+    command.add_option("--at", options->at, "when, for --state and --save; default: the end")
         ->type_name("SECONDS");
-    command->callback([options, &task] { task = [options] { return run_simulate(*options); }; });
+    command.add_option("--progress", options->progress, "on stderr")
+        ->check(CLI::IsMember({"auto", "json", "none"}))
+        ->type_name("auto|json|none");
+    command.callback([options, &task] { task = [options] { return run_simulate(*options); }; });
 }
 
 }  // namespace ember

@@ -8,7 +8,7 @@
 namespace ember {
 
 FilePattern::FilePattern(const std::string& text, bool several) {
-    static const std::regex place("#+|%(0([1-9]))?d");
+    static const std::regex place("#+|%(0([1-9]))?d|\\{frame(:([1-9]))?\\}");
     const std::filesystem::path path(text);
     const std::string name = path.filename().string();
     const std::string folder = text.substr(0, text.size() - name.size());
@@ -20,7 +20,8 @@ FilePattern::FilePattern(const std::string& text, bool several) {
         before_ = folder + match.prefix().str();
         after_ = match.suffix();
         const bool hashes = match.str().front() == '#';
-        width_ = hashes ? match.str().size() : match[2].matched ? std::stoul(match[2]) : 1;
+        const auto& digits = match[2].matched ? match[2] : match[4];
+        width_ = hashes ? match.str().size() : digits.matched ? std::stoul(digits) : 1;
     } else if (!several) {
         before_ = text;
         numbered_ = false;
@@ -28,8 +29,11 @@ FilePattern::FilePattern(const std::string& text, bool several) {
         before_ = folder + path.stem().string() + '_';
         after_ = path.extension().string();
     }
-    if (name.empty() || (before_ + after_).find('%', folder.size()) != std::string::npos) {
-        throw InputError(text + ": error: expected a name with ####, %d or %0Nd for the number");
+    const bool strange =
+        (before_ + after_).find_first_of("%{}", folder.size()) != std::string::npos;
+    if (name.empty() || strange) {
+        throw InputError(
+            text + ": error: expected a name with ####, %d, %0Nd or {frame:N} for the number");
     }
 }
 

@@ -1,4 +1,4 @@
-// Names of numbered files: frame_####.png, frame_%04d.png.
+// Names of numbered files: frame_####.png, frame_%04d.png, frame_{frame:4}.png.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@ namespace ember {
 /// A file name with a place for a number.
 class FilePattern {
   public:
-    /// Accepts one run of '#' or one "%d" or "%0Nd" in the file's name; without either, "_####" is
+    /// Accepts one run of '#' or one "%d", "%0Nd", "{frame}" or "{frame:N}" in the file's name;
+    /// without either, "_####" is
     /// put in front of the extension if there are `several` files. Throws InputError for any
     /// other '%' and for a second place.
     explicit FilePattern(const std::string& text, bool several = true);

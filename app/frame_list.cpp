@@ -1,6 +1,7 @@
 #include "app/frame_list.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -28,37 +29,72 @@ bool parse_number(std::string_view text, T& value) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
+struct FrameRange {
+    long first = 0, last = 0, step = 1;
+};
+
 [[noreturn]] void refuse_frames(const std::string& text) {
     throw InputError(
         "--frames: error: expected frames such as 0..240, 0..240+5 or 1,40,80..90, got \"" + text +
         '"');
 }
 
+FrameRange parse_range(const std::string& part, const std::string& text) {
+    const std::size_t dots = part.find(".."), plus = part.find('+');
+    FrameRange range;
+    bool good = parse_number(part.substr(0, dots), range.first);
+    range.last = range.first;
+    if (dots != std::string::npos) {
+        good = good && parse_number(part.substr(dots + 2, plus - dots - 2), range.last);
+        if (plus != std::string::npos)
+            good = good && parse_number(part.substr(plus + 1), range.step);
+    }
+    if (!good || range.first < 0 || range.last < range.first) refuse_frames(text);
+    return range;
+}
+
 }  // namespace
 
 std::vector<long> parse_frames(const std::string& text) {
-    std::vector<long> frames;
+    std::vector<FrameRange> ranges;
     for (const std::string& part : split(text, ',')) {
-        const std::size_t dots = part.find(".."), plus = part.find('+');
-        long first = 0, last = 0, step = 1;
-        bool good = parse_number(part.substr(0, dots), first);
-        last = first;
-        if (dots != std::string::npos) {
-            good = good && parse_number(part.substr(dots + 2, plus - dots - 2), last);
-            if (plus != std::string::npos) {
-                good = good && parse_number(part.substr(plus + 1), step);
+        if (part.starts_with('+')) {  // of the range before
+            if (ranges.empty() || !parse_number(part.substr(1), ranges.back().step)) {
+                refuse_frames(text);
             }
+        } else {
+            ranges.push_back(parse_range(part, text));
         }
-        const bool ordered = first >= 0 && last >= first && step > 0;
-        if (!good || !ordered || (last - first) / std::max(step, 1l) > kMostFrames) {
+        const FrameRange& range = ranges.back();
+        if (range.step <= 0 || (range.last - range.first) / range.step > kMostFrames) {
             refuse_frames(text);
         }
-        for (long frame = first; frame <= last; frame += step)
+    }
+    std::vector<long> frames;
+    for (const FrameRange& range : ranges) {
+        for (long frame = range.first; frame <= range.last; frame += range.step)
             frames.push_back(frame);
     }
     std::sort(frames.begin(), frames.end());
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     return frames;
+}
+
+std::string rate_text(const std::string& text) {
+    double above = 0, below = 1001;
+    for (const double whole : {24, 30, 48, 60, 120}) {  // NTSC's slower ones, to three digits
+        double rate = 0;
+        if (parse_number(text, rate) && std::abs(rate - whole / 1.001) < 0.006)
+            above = 1000 * whole;
+    }
+    const std::size_t slash = text.find('/');
+    const bool fraction = slash != std::string::npos &&
+                          parse_number(text.substr(0, slash), above) &&
+                          parse_number(text.substr(slash + 1), below) && below > 0;
+    if (above <= 0 || (!fraction && slash != std::string::npos)) return text;
+    std::array<char, 32> digits{};  // all of them, so that it is the same number again
+    const auto end = std::to_chars(digits.begin(), digits.end(), above / below).ptr;
+    return {digits.begin(), end};
 }
 
 std::vector<double> parse_times(const std::string& text) {
@@ -75,15 +111,16 @@ std::vector<double> parse_times(const std::string& text) {
     return times;
 }
 
-PictureSize parse_size(const std::string& text) {
+PictureSize parse_size(const std::string& text, const std::string& flag,
+                       const std::string& expected) {
     const std::vector<std::string> parts = split(text, 'x');
     PictureSize size;
     const bool good = parts.size() == 2 && parse_number(parts[0], size.width) &&
                       parse_number(parts[1], size.height) && size.width >= 1 && size.height >= 1 &&
                       size.width <= 16384 && size.height <= 16384;
     if (!good) {
-        throw InputError("--size: error: expected WIDTHxHEIGHT up to 16384x16384, got \"" + text +
-                         '"');
+        throw InputError(flag + ": error: expected " + expected + " up to 16384x16384, got \"" +
+                         text + '"');
     }
     return size;
 }

@@ -56,6 +56,7 @@ std::vector<std::vector<SpringSegment>> FrameSource::springs() const {
 }
 
 bool FrameSource::step(bool keep_earlier) {
+    if (change_) change_(world_);
     has_earlier_ = keep_earlier;
     if (keep_earlier) {
         earlier_ = world_.snapshot();
@@ -85,6 +86,15 @@ bool FrameSource::show(double time, FrameView& frame) {
     }
     interpolate((time - earlier_.time) / world_.tick_duration(), frame);
     return true;
+}
+
+void FrameSource::detach(FrameView& frame) const {
+    if (!frame.sheets.empty()) return;
+    frame.sheets = world_.state().sheets;
+    for (std::size_t s = 0; s < frame.sheets.size(); ++s)
+        point_at(frame.sheets[s], frame.view.sheets[s]);
+    frame.fire = world_.state().fire;
+    point_at(frame.fire, frame.view.particles);
 }
 
 void FrameSource::interpolate(double share, FrameView& frame) const {

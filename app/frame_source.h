@@ -24,11 +24,19 @@ class FrameSource {
     FrameSource(World& world, StageObserver* observer,
                 std::function<void(const StepReport&)> after_step, bool with_springs = false);
 
+    /// Has `change` called before every tick from now on: parameters that move, edits that are
+    /// replayed. It may apply() and must not step().
+    void before_each_tick(std::function<void(World&)> change) { change_ = std::move(change); }
+
     /// The world at `time` [s], which must not lie before an earlier request. Positions,
     /// velocities and temperatures are interpolated between the neighbouring ticks, everything
     /// else, topology included, is the earlier tick's; particles fly on from there.
     /// Returns false when the simulation diverged; the report has gone to after_step.
     [[nodiscard]] bool show(double time, FrameView& frame);
+
+    /// Makes `frame`, the last that was shown, independent of the world. It may then be moved, not
+    /// copied.
+    void detach(FrameView& frame) const;
 
     /// Steps until the next tick would lie beyond `time`. Returns false when it diverged.
     [[nodiscard]] bool advance_to(double time);
@@ -41,6 +49,7 @@ class FrameSource {
     World& world_;
     StageObserver* observer_;
     std::function<void(const StepReport&)> after_step_;
+    std::function<void(World&)> change_;
     bool with_springs_;
     bool has_earlier_ = false;
     WorldState earlier_;  ///< the tick before the world's, if has_earlier_

@@ -19,6 +19,7 @@ void watch_for_interrupts() {
     std::signal(SIGINT, note_signal);
     std::signal(SIGTERM, note_signal);
     std::signal(SIGPIPE, SIG_IGN);  // a child that ends early is reported by write() instead
+    std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
 }
 
 int interrupt_signal() {

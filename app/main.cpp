@@ -8,16 +8,8 @@
 #include "app/exit_code.h"
 #include "app/preset_io/nearest_word.h"
 #include "app/preset_io/preset_io.h"
-#include "app/version.h"
 
 namespace {
-
-constexpr const char* kExamples =
-    "Examples:\n"
-    "  emberleaf paper/corner                                the window\n"
-    "  emberleaf render paper/corner -o out/frame_####.png   pictures\n"
-    "  emberleaf render paper/corner -o out/burn.mp4 --turntable 90\n"
-    "  emberleaf simulate paper/corner --stats out/stats.json\n";
 
 // "--frmes" is near "--frames" of the chosen subcommand.
 std::string suggestion(const CLI::App& app) {
@@ -54,18 +46,9 @@ std::string mistyped_command(const CLI::App& app, const std::string& word) {
 }
 
 int parse_and_run(int argc, char** argv) {
-    CLI::App app("Simulates and draws burning paper.", "emberleaf");
-    app.set_version_flag("--version", std::string("emberleaf ") + ember::kVersion);
-    app.require_subcommand(0, 1);
+    CLI::App app(std::string(ember::find_command("")->summary), "emberleaf");
     ember::Task task;
-    ember::add_render_command(app, task);
-    ember::add_simulate_command(app, task);
-    ember::add_check_command(app, task);
-    ember::add_bench_command(app, task);
-    ember::add_presets_command(app, task);
-    ember::add_params_command(app, task);
-    ember::add_window_command(app, task);
-    app.footer(kExamples);
+    ember::build_command_line(app, task);
     const std::string mistyped = argc > 1 ? mistyped_command(app, argv[1]) : "";
     if (!mistyped.empty()) throw ember::InputError(mistyped);
     try {

@@ -19,7 +19,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
     options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     command
         .add_option("PRESET", options.preset,
-                    "a preset file, or the name of a built-in one such as paper/corner")
+                    "a file, a built-in name such as paper/corner, or a picture of emberleaf's")
         ->required();
     command.add_option("--set", options.sets, "change a parameter: --set paper.grammage=160")
         ->type_name("KEY=VALUE")
@@ -27,10 +27,10 @@ void add_run_options(CLI::App& command, RunOptions& options) {
         ->take_all();
     command.add_option("--seed", options.seed, "seed of all random numbers")->type_name("N");
     command
-        .add_option("--threads", options.threads, "threads; changes the speed, never the result")
+        .add_option("--threads", options.threads,
+                    "default: as many as processors; never changes the result")
         ->check(CLI::Range(1, 256))
-        ->type_name("N")
-        ->capture_default_str();
+        ->type_name("N");
     auto* quiet = command.add_flag("-q,--quiet", options.quiet, "only errors");
     command.add_flag("-v,--verbose", options.verbose, "warnings too")->excludes(quiet);
 }

@@ -13,8 +13,9 @@
 #include <vector>
 
 #include "app/exit_code.h"
+#include "app/film_format.h"
 #include "app/preset_io/atomic_file.h"
-#include "app/preset_io/parameter_value.h"
+#include "app/raw_sink.h"
 
 extern char** environ;
 
@@ -29,16 +30,6 @@ int unnamed_file() {
     const int file = ::mkostemp(name.data(), O_CLOEXEC);
     if (file >= 0) ::unlink(name.c_str());
     return file;
-}
-
-std::vector<std::string> ffmpeg_command(const PictureFormat& format, const std::string& output) {
-    return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format",
-            "rgba", "-video_size",
-            std::to_string(format.width) + 'x' + std::to_string(format.height), "-framerate",
-            number_text(format.fps), "-i", "-",
-            // yuv420p shares colour between 2x2 pixels, so both sizes must be even
-            "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p", "-c:v", "libx264", "-crf", "18",
-            "-movflags", "+faststart", "-f", "mp4", output};
 }
 
 // The child gets the default signals and a process group of its own: an interrupt from the
@@ -73,6 +64,8 @@ int spawn(const std::vector<std::string>& command, int input, int errors, pid_t&
 VideoEncoder::VideoEncoder(std::filesystem::path path, const PictureFormat& format)
     : path_(std::move(path)), temporary_(temporary_name(path_)) {
     make_folder_of(path_);
+    remove_stale_temporaries(path_.parent_path());
+    if (std::filesystem::is_directory(path_)) throw RunError(path_.string() + ": is a folder");
     start(format);
 }
 
@@ -82,9 +75,11 @@ void VideoEncoder::start(const PictureFormat& format) {
     if (log_ < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0) {
         throw RunError(path_.string() + ": cannot start ffmpeg: " + std::strerror(errno));
     }
+    const FilmFormat* film = find_film_format(path_.extension().string());
+    if (film == nullptr) throw RunError(path_.string() + ": no kind of film");
     // a name that begins with '-' would be taken for an option
     const std::string output = std::filesystem::absolute(temporary_).string();
-    const int error = spawn(ffmpeg_command(format, output), ends[0], log_, process_);
+    const int error = spawn(ffmpeg_command(*film, format, output), ends[0], log_, process_);
     ::close(ends[0]);
     pipe_ = ends[1];
     if (error == 0) return;
@@ -125,19 +120,10 @@ void VideoEncoder::fail(const std::string& reason) {
 }
 
 void VideoEncoder::put(const Picture& picture) {
-    const std::uint8_t* bytes = picture.image.rgba.data();
-    std::size_t left = picture.image.rgba.size();
-    while (left > 0) {
-        const ssize_t count = ::write(pipe_, bytes, left);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) {
-            const std::string reason = std::strerror(errno);
-            wait_for_end();  // so that its last words are in the log
-            fail(reason);
-        }
-        bytes += count;
-        left -= static_cast<std::size_t>(count);
-    }
+    const int error = write_bytes(pipe_, picture.image.rgba.data(), picture.image.rgba.size());
+    if (error == 0) return;
+    wait_for_end();  // so that its last words are in the log
+    fail(std::strerror(error));
 }
 
 void VideoEncoder::finish() {
@@ -145,9 +131,7 @@ void VideoEncoder::finish() {
     pipe_ = -1;
     const int status = wait_for_end();
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail("it ended abnormally");
-    if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
-        throw RunError(path_.string() + ": cannot write: " + std::strerror(errno));
-    }
+    publish_file(temporary_, path_);
     finished_ = true;
 }
 

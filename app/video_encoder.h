@@ -9,8 +9,8 @@
 
 namespace ember {
 
-/// H.264 in MP4, for any player (yuv420p; odd sizes get one more row or column). The film appears
-/// under its name when it is complete.
+/// A film of the kind that the name's extension tells (film_format.h). It appears under its name
+/// when it is complete.
 class VideoEncoder final : public PictureSink {
   public:
     /// Starts ffmpeg. Throws RunError when it is not installed.

@@ -28,6 +28,7 @@ T take(const std::string& bytes, std::size_t& at) {
 
 inline double take_number(const std::string& type, const std::string& bytes, std::size_t& at) {
     if (type == "double") return take<double>(bytes, at);
+    if (type == "float") return static_cast<double>(take<float>(bytes, at));
     if (type == "int") return take<std::int32_t>(bytes, at);
     if (type == "uchar") return take<std::uint8_t>(bytes, at);
     throw std::runtime_error("unexpected type " + type);

@@ -14,6 +14,8 @@ TEST(FilePattern, HashesAndPercentDMarkThePlaceOfTheNumber) {
     EXPECT_EQ(FilePattern("f_##.png").name(12345), "f_12345.png");
     EXPECT_EQ(FilePattern("f_%04d.png").name(7), "f_0007.png");
     EXPECT_EQ(FilePattern("f%d.png").name(7), "f7.png");
+    EXPECT_EQ(FilePattern("f_{frame:4}.png").name(7), "f_0007.png");
+    EXPECT_EQ(FilePattern("f_{frame}.png").name(7), "f_7.png");
     EXPECT_EQ(FilePattern("a#b/100%/f##.png").name(3), "a#b/100%/f03.png") << "folders stay";
 }
 
@@ -25,8 +27,9 @@ TEST(FilePattern, WithoutAPlaceOneIsInsertedOnlyForSeveralFiles) {
 }
 
 TEST(FilePattern, AnythingElseWithAPercentSignIsRefused) {
-    for (const char* bad : {"f_%s.png", "f_%n%d.png", "f_%d_%d.png", "##_##.png", "f_%5d.png",
-                            "f_%00d.png", "f%.png", "", "folder/"}) {
+    for (const char* bad :
+         {"f_%s.png", "f_%n%d.png", "f_%d_%d.png", "##_##.png", "f_%5d.png", "f_%00d.png", "f%.png",
+          "f_{name}.png", "f_{frame:}.png", "f_####_{frame}.png", "", "folder/"}) {
         EXPECT_THROW(FilePattern{bad}, InputError) << bad;
     }
 }
@@ -36,14 +39,27 @@ TEST(FrameList, RangesStepsAndListsAreSortedAndWithoutDuplicates) {
     EXPECT_EQ(parse_frames("0..4"), (std::vector<long>{0, 1, 2, 3, 4}));
     EXPECT_EQ(parse_frames("0..9+4"), (std::vector<long>{0, 4, 8}));
     EXPECT_EQ(parse_frames("9,1..3,2"), (std::vector<long>{1, 2, 3, 9}));
+    EXPECT_EQ(parse_frames("1,40..50,+5"), (std::vector<long>{1, 40, 45, 50}))
+        << "as Blender has it";
     EXPECT_EQ(parse_times("2,0.5"), (std::vector<double>{0.5, 2.0}));
     EXPECT_EQ(parse_size("960x540").width, 960);
     EXPECT_EQ(parse_size("960x540").height, 540);
 }
 
+TEST(FrameList, RatesAreExactWhereTheFilmWorldRounds) {
+    EXPECT_EQ(rate_text("24"), "24");
+    EXPECT_EQ(std::stod(rate_text("23.976")), 24000.0 / 1001);
+    EXPECT_EQ(std::stod(rate_text("29.97")), 30000.0 / 1001);
+    EXPECT_EQ(std::stod(rate_text("30000/1001")), 30000.0 / 1001);
+    EXPECT_EQ(rate_text("12.5"), "12.5");
+    EXPECT_EQ(rate_text("fast"), "fast") << "left to whoever refuses it";
+    EXPECT_EQ(rate_text("1/0"), "1/0");
+}
+
 TEST(FrameList, WhatIsNoListIsRefused) {
-    for (const char* bad : {"", "a", "1,", ",1", "3..1", "-1", "1..", "..2", "1...3", "0..9+0",
-                            "0..9+-1", "0..9+", "1+2", "0..99999999999", "1.5", "1 2"}) {
+    for (const char* bad :
+         {"", "a", "1,", ",1", "3..1", "-1", "1..", "..2", "1...3", "0..9+0", "0..9+-1", "0..9+",
+          "+5", "0..9,+0", "0..9,+", "1+2", "0..99999999999", "1.5", "1 2"}) {
         EXPECT_THROW(static_cast<void>(parse_frames(bad)), InputError) << bad;
     }
     for (const char* bad : {"", "-1", "nan", "inf", "1s", "1,,2"}) {
