@@ -27,6 +27,10 @@ constexpr Example kSimulate[] = {
     {"emberleaf simulate paper/corner --seconds 5 --stats s.json", "statistics of every tick"},
     {"emberleaf simulate paper/corner --state s_##.ply --at 1,2,4", "three states"},
 };
+constexpr Example kExport[] = {
+    {"emberleaf export paper/corner -o burn.usda --fps 24", "one file with time samples"},
+    {"emberleaf export paper/corner -o burn_####.ply", "a sequence"},
+};
 constexpr Example kShow[] = {
     {"emberleaf show out/frame_0042.png", "how a picture was made"},
     {"emberleaf show out/frame_0042.png --preset > mine.toml", "its preset"},
@@ -44,6 +48,7 @@ constexpr CommandRow kRows[] = {
     {"render", "draw pictures or a film, without a window", add_render_command, kRender},
     {"sheet", "draw a shot into one picture, for games", add_sheet_command, kSheet},
     {"simulate", "simulate without drawing", add_simulate_command, kSimulate},
+    {"export", "write moving geometry for other programs", add_export_command, kExport},
     {"show", "say how a picture was made", add_show_command, kShow},
     {"check", "say everything that is wrong with presets", add_check_command, kCheck},
     {"presets", "list the built-in presets", add_presets_command, {}},

@@ -38,6 +38,7 @@ void build_command_line(CLI::App& app, Task& task);
 void add_render_command(CLI::App& command, Task& task);
 void add_sheet_command(CLI::App& command, Task& task);
 void add_simulate_command(CLI::App& command, Task& task);
+void add_export_command(CLI::App& command, Task& task);
 void add_show_command(CLI::App& command, Task& task);
 void add_check_command(CLI::App& command, Task& task);
 void add_bench_command(CLI::App& command, Task& task);

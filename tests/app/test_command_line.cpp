@@ -38,6 +38,7 @@ TEST(CommandLine, FlagsThatDoNotExistAreRefusedNotIgnored) {
     for (const char* flag : {"--save", "--frame", "--nonsense"}) {
         expect_refused({"render", "paper/corner", "-o", "x.png", flag}, flag);
     }
+    expect_refused({"export", "paper/corner", "-o", "x.usda", "--at", "1"}, "--at");
     expect_refused({"sheet", "paper/corner", "-o", "x.png", "--skip-existing"}, "--skip-existing");
 }
 
@@ -82,6 +83,7 @@ TEST(CommandLine, BadArgumentsAreRefusedBeforeAnythingIsWritten) {
     expect_refused(with({"-o", "-", "-o", "-"}), "standard output");
     expect_refused({"sheet", "paper/corner", "-o", "x.png", "--frames", "0..3", "--grid", "1x1"},
                    "--grid: error: 1x1 has no room for 4");
+    expect_refused({"export", "paper/corner", "-o", "x.pc2", "--topology", "varying"}, "topology");
     expect_refused({"show", "missing.png"}, "missing.png: No such file");
     expect_refused({"completion", "tcsh"}, "SHELL");
     expect_refused(with({"--gl", "vulkan"}), "--gl");

@@ -54,6 +54,11 @@ TEST(HostileOutputs, AreRefusedWithPathAndReason) {
     expect_refused(folder, render("folder/"), 2, "folder/: error: expected");
     expect_refused(folder, {"sheet", "paper/corner", "-o", "s.png"}, 1, "s.png: cannot write: ");
     expect_refused(folder, {"sheet", "paper/corner", "-o", "s.jpg"}, 2, ".png");
+    expect_refused(folder, {"export", "paper/corner", "-o", "burn.usda"}, 1,
+                   "burn.usda: cannot write: ");
+    expect_refused(folder, {"export", "paper/corner", "-o", "file/b_##.ply"}, 1,
+                   "file: cannot create: ");
+    expect_refused(folder, {"export", "paper/corner", "-o", "burn.abc"}, 2, ".usda");
 }
 
 TEST(HostileOutputs, WithoutRoomTheFramesBeforeStay) {
