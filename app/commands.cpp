@@ -31,6 +31,11 @@ constexpr Example kExport[] = {
     {"emberleaf export paper/corner -o burn.usda --fps 24", "one file with time samples"},
     {"emberleaf export paper/corner -o burn_####.ply", "a sequence"},
 };
+constexpr Example kSweep[] = {
+    {"emberleaf sweep paper/corner --vary paper.grammage=60,80,120 -o sheet.png", "three papers"},
+    {"emberleaf sweep paper/corner --vary springs.damping=0.1..10:log:5 -o s.png --array 2/8",
+     "a share of it"},
+};
 constexpr Example kShow[] = {
     {"emberleaf show out/frame_0042.png", "how a picture was made"},
     {"emberleaf show out/frame_0042.png --preset > mine.toml", "its preset"},
@@ -49,6 +54,7 @@ constexpr CommandRow kRows[] = {
     {"sheet", "draw a shot into one picture, for games", add_sheet_command, kSheet},
     {"simulate", "simulate without drawing", add_simulate_command, kSimulate},
     {"export", "write moving geometry for other programs", add_export_command, kExport},
+    {"sweep", "burn many variants, into a contact sheet and a table", add_sweep_command, kSweep},
     {"show", "say how a picture was made", add_show_command, kShow},
     {"check", "say everything that is wrong with presets", add_check_command, kCheck},
     {"presets", "list the built-in presets", add_presets_command, {}},

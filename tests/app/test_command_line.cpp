@@ -84,6 +84,12 @@ TEST(CommandLine, BadArgumentsAreRefusedBeforeAnythingIsWritten) {
     expect_refused({"sheet", "paper/corner", "-o", "x.png", "--frames", "0..3", "--grid", "1x1"},
                    "--grid: error: 1x1 has no room for 4");
     expect_refused({"export", "paper/corner", "-o", "x.pc2", "--topology", "varying"}, "topology");
+    expect_refused({"sweep", "paper/corner", "-o", "x.png", "--vary", "paper.gramage=1,2"},
+                   "did you mean paper.grammage?");
+    expect_refused({"sweep", "paper/corner", "-o", "x.png"}, "--vary");
+    expect_refused({"sweep", "paper/corner", "-o", "x.png", "--vary", "paper.grammage=60,80",
+                    "--array", "3/2"},
+                   "--array: error");
     expect_refused({"show", "missing.png"}, "missing.png: No such file");
     expect_refused({"completion", "tcsh"}, "SHELL");
     expect_refused(with({"--gl", "vulkan"}), "--gl");
