@@ -70,8 +70,8 @@ struct Presence {
 std::uint64_t parameters_hash(const LoadedPreset& preset) {
     Params params = preset.params;
     const ParamBinding bindings[] = {bind(params)};
-    PresetInfo info;
-    info.events = preset.info.events;
+    PresetInfo info = preset.info;
+    info.title.clear(), info.description.clear();  // which change nothing
     return text_hash(std::string(kVersion) + preset_text(bindings, info));
 }
 

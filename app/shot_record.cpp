@@ -31,8 +31,8 @@ std::string hashed_preset(const RenderJob& job, bool turns) {
     LoadedPreset preset = job.preset;
     if (!turns) preset.render.shot.duration = ShotParams{}.duration;
     const ParamBinding bindings[] = {bind(preset.params), bind(preset.render)};
-    PresetInfo info;  // neither title nor place change a picture
-    info.events = preset.info.events;
+    PresetInfo info = preset.info;
+    info.title.clear(), info.description.clear();  // which change no picture
     return preset_text(bindings, info);
 }
 
