@@ -9,6 +9,8 @@ using enum ParamScale;
 using enum ParamApplies;
 using detail::Access;
 
+inline constexpr ParamRange kFar = {-10000, 10000};  // [mm] how far anything may be away
+
 struct Text {
     std::string_view help, source;
 };
