@@ -112,11 +112,15 @@ void touch_ground(const Params& params, double thickness, double interval, Conta
 // The two triangles of a quad, by corner.
 constexpr std::array<std::array<std::size_t, 3>, 2> kTriangles = {{{0, 1, 2}, {0, 2, 3}}};
 
-// Distance that the parts of a sheet keep from another, or from each other.
+// Distance that the parts of a sheet keep from another, or from each other. The leaves of a pad are
+// held closer together than loose paper comes to rest.
 double distance_kept(const ContactScratch& s, Index sheet, Index other, double thickness) {
-    const Lattice& lattice = *s.sheets[as_size(other)].lattice;
-    if (sheet != other) return thickness;
-    return std::min({thickness, lattice.row_spacing, lattice.column_spacing});
+    const ContactSheet &ours = s.sheets[as_size(sheet)], &theirs = s.sheets[as_size(other)];
+    if (sheet != other) {
+        const double gap = std::min(ours.gap, theirs.gap);
+        return gap > 0 ? std::min(thickness, gap) : thickness;
+    }
+    return std::min({thickness, theirs.lattice->row_spacing, theirs.lattice->column_spacing});
 }
 
 void touch_paper(const Params& params, double thickness, double interval, ContactScratch& s) {

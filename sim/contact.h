@@ -20,6 +20,7 @@ namespace ember {
 /// A sheet that may touch something.
 struct ContactSheet {
     const Lattice* lattice;
+    double gap;  ///< [m] to its neighbours at the start: it never keeps farther away than that
     SheetState* sheet;
     NodeLoads* loads;            ///< gathered for this tick
     const std::uint8_t* asleep;  ///< of each row; nullptr while nothing sleeps

@@ -44,6 +44,42 @@ double relax(Contact& c, ContactBodies& bodies) {
     return change.norm() / c.mass;
 }
 
+// The velocity to come out with, so that no body has to move faster than that: where nearly all of
+// the weight is on bodies that cannot be moved, the others would have to be flung away.
+double gently(const Contact& c, const ContactBodies& bodies) {
+    if (!(c.least > 0)) return c.least;
+    double fastest = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double given = c.mass * bodies.inverse_mass[static_cast<std::size_t>(c.body[k])];
+        fastest = std::max(fastest, std::abs(c.weight[k]) * given);
+    }
+    return c.least / std::max(1.0, fastest);
+}
+
+// Contacts brake, and give no more than what it takes to come out of each other. Sweeps that have
+// not settled, where things are caught between others that cannot give way, could give more: then
+// all impulses are scaled down together, which leaves every cone of friction and every sum alone.
+void stay_passive(std::vector<Contact>& contacts, double allowed, ContactBodies& bodies) {
+    double linear = 0.0, square = 0.0;  // [J] work is s · linear + s² · square
+    for (std::size_t b = 0; b < bodies.velocity.size(); ++b) {
+        const Vector3& impulse = bodies.impulse[b];
+        const double half = 0.5 * bodies.inverse_mass[b] * impulse.squaredNorm();
+        linear += impulse.dot(bodies.velocity[b]) - 2.0 * half;
+        square += half;
+    }
+    if (!(linear + square > allowed)) return;
+    const double scale =
+        (std::sqrt(linear * linear + 4.0 * square * allowed) - linear) / (2.0 * square);
+    for (std::size_t b = 0; b < bodies.velocity.size(); ++b) {
+        bodies.velocity[b] -= (1.0 - scale) * bodies.inverse_mass[b] * bodies.impulse[b];
+        bodies.impulse[b] *= scale;
+    }
+    for (Contact& c : contacts) {
+        c.pressed *= scale;
+        c.rubbed *= scale;
+    }
+}
+
 }  // namespace
 
 double least_speed(double gap, double speed, double interval, double soft) {
@@ -56,7 +92,9 @@ double least_speed(double gap, double speed, double interval, double soft) {
 }
 
 int solve_contacts(std::vector<Contact>& contacts, ContactBodies& bodies) {
+    constexpr double kTogether = 4.0;  // things push each other on, and each has to be moved
     bodies.impulse.assign(bodies.velocity.size(), Vector3::Zero());
+    double allowed = 0.0;
     for (Contact& c : contacts) {
         double inverse = 0.0;
         for (std::size_t k = 0; k < 4; ++k) {
@@ -64,6 +102,9 @@ int solve_contacts(std::vector<Contact>& contacts, ContactBodies& bodies) {
                        bodies.inverse_mass[static_cast<std::size_t>(c.body[k])];
         }
         c.mass = inverse > 0 ? 1.0 / inverse : 0.0;
+        c.least = gently(c, bodies);
+        const double out = std::max(c.least, 0.0);
+        allowed += kTogether * c.mass * out * out;
         c.pressed = 0;
         c.rubbed = Vector3::Zero();
         const double along = c.guess.dot(c.normal);
@@ -72,15 +113,17 @@ int solve_contacts(std::vector<Contact>& contacts, ContactBodies& bodies) {
         c.rubbed = within(c.guess - along * c.normal, c.friction * along);
         push(c, c.impulse(), bodies);
     }
-    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    int sweeps = 0;
+    for (bool settled = false; !settled && sweeps < kMostSweeps; ++sweeps) {
         double largest = 0.0;
         for (std::size_t i = 0; i < contacts.size(); ++i) {
-            Contact& c = contacts[sweep % 2 == 0 ? i : contacts.size() - 1 - i];
+            Contact& c = contacts[sweeps % 2 == 0 ? i : contacts.size() - 1 - i];
             largest = std::max(largest, relax(c, bodies));
         }
-        if (!(largest > kSettled)) return sweep + 1;
+        settled = !(largest > kSettled);
     }
-    return kMostSweeps;
+    stay_passive(contacts, allowed, bodies);
+    return sweeps;
 }
 
 }  // namespace ember

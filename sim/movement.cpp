@@ -72,7 +72,7 @@ std::int64_t find_contact(const Tick& t, StepCounters& counters) {
     for (std::size_t s = 0; s < t.state.sheets.size(); ++s) {
         SheetWorkspace& w = t.work.sheets[s];
         const bool may_sleep = t.params.numerics.sleep_speed > 0;
-        t.work.contact.sheets.push_back({&w.lattice, &t.state.sheets[s], &w.loads,
+        t.work.contact.sheets.push_back({&w.lattice, w.gap, &t.state.sheets[s], &w.loads,
                                          may_sleep ? w.awake.asleep.data() : nullptr});
     }
     std::int64_t intervals = find_contacts(t.params, t.dt, t.work.contact, counters);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 #include "sim/math.h"
 
@@ -123,6 +124,7 @@ Scene make_scene(const Params& params) {
         plan.held = sheet.held;
         plan.held_points = sheet.held_points;
         plan.imperfection = sheet.imperfection;
+        plan.gap = sheet.count > 1 ? sheet.gap : std::numeric_limits<double>::infinity();
         plan.paper = cells_of(params, sheet, plan.group);
         for (int number = 0; number < sheet.count; ++number) {
             plan.name = sheet.name.empty() ? "sheet " + std::to_string(scene.sheets.size() + 1)

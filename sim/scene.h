@@ -36,6 +36,7 @@ struct SheetPlan {
     Vector3 main = Vector3::UnitX();   ///< unit vector
     Vector3 cross = Vector3::UnitZ();  ///< unit vector; on a tube, the direction at row 0
     double imperfection = 0;           ///< [m] amplitude of the initial waviness
+    double gap = 0;                    ///< [m] to the next of its stack, +inf alone
     std::string group = "sheet";       ///< of the keys that describe it: "sheet" or "sheets.2"
     std::string name;                  ///< in messages
 

@@ -23,6 +23,7 @@ namespace ember {
 /// Derived data and scratch of one sheet.
 struct SheetWorkspace {
     Lattice lattice;        ///< never changes
+    double gap = 0;         ///< [m] to its neighbours at the start; never changes
     SpringNetwork network;  ///< follows the sheet's topology and masses
     Plate plate;            ///< likewise; empty without rigidity
     PlateForces plate_forces;

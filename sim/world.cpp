@@ -74,6 +74,7 @@ void World::build_lattices() {
     for (std::size_t s = 0; s < scene_.sheets.size(); ++s) {
         SheetWorkspace& w = work_->sheets.emplace_back();
         w.lattice = make_lattice(scene_.sheets[s], params_.paper, params_.springs, seed, s);
+        w.gap = scene_.sheets[s].gap;
         w.plate = make_plate(scene_.sheets[s], w.lattice, params_.paper, params_.plate);
     }
 }

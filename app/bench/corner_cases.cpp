@@ -80,7 +80,7 @@ constexpr SetCorner kSetCorners[] = {
     {"many_substeps", "numerics.substeps_min=1000"},
     {"everything_breaks",
      "fracture.threshold=0 fracture.relief_time=0 fracture.middle_burnt=false burning.ignition=-50 "
-     "burning.burn_rate=1e4 fracture.rule=paper"},
+     "burning.burn_rate=1e4"},
     {"below_the_ground", "sheet.elevation=-10000"},
     {"dropped_stack",
      "sheet.elevation=60 sheet.held=none sheet.count=4 sheet.gap=10 "
@@ -88,6 +88,11 @@ constexpr SetCorner kSetCorners[] = {
     {"dropped_crumpling_stack",
      "sheet.elevation=40 sheet.held=none sheet.count=3 sheet.gap=5 sheet.pose=horizontal "
      "contact.self=true world.gravity=50 shrinkage.factor=1e-9 burning.ignition=21"},
+    {"sheets_in_touch", "sheet.count=4 sheet.gap=1 contact.self=true"},
+    {"sheets_closer_than_they_keep", "sheet.count=3 sheet.gap=0.1 contact.thickness=5"},
+    {"thickest_contact",
+     "sheet.count=3 sheet.gap=2 contact.thickness=20 contact.self=true "
+     "sheet.elevation=10"},
     {"thinnest_contact",
      "sheet.count=3 sheet.gap=2 contact.thickness=0.01 sheet.elevation=20 "
      "sheet.held=none sheet.pose=horizontal paper.grammage=5"},

@@ -84,7 +84,9 @@ inline constexpr ParamInfo kSurroundingsRows[] = {
     real<&Params::contact, &ContactParams::thickness>(
         "contact.thickness", "", unit::millimetre, {0.01, 20}, {0.5, 3}, Logarithmic, Live,
         {"Paper keeps this far from paper, and half of it from the ground; its caliper, where that "
-         "is more. Folds of one sheet keep no farther apart than its nodes are.",
+         "is more. Folds of one sheet keep no farther apart than its nodes are, and the sheets of "
+         "a "
+         "stack no farther than sheet.gap.",
          "Our choice"}),
     real<&Params::contact, &ContactParams::friction>("contact.friction", "mu", unit::one, {0, 10},
                                                      {0, 1}, Linear, Live,

@@ -2,6 +2,7 @@
 // need.
 #include <gtest/gtest.h>
 
+#include <random>
 #include <set>
 #include <tuple>
 
@@ -125,6 +126,54 @@ TEST(ContactSolver, AnImpulseIsTheReducedMassTimesTheChangeAndFrictionIsBounded)
         EXPECT_NEAR(bodies.impulse[0].x(), -rubbed, 1e-12);
         EXPECT_EQ(bodies.impulse[0], -bodies.impulse[1]);
     }
+}
+
+// A triangle of which only the far corner can be moved, and a node that cannot.
+TEST(ContactSolver, NothingIsFlungOutByALongLever) {
+    ContactBodies bodies;
+    bodies.inverse_mass = {0, 0, 0, 1e6};
+    bodies.velocity.assign(4, Vector3::Zero());
+    std::vector<Contact> contacts = {{.body = {0, 1, 2, 3},
+                                      .weight = {1, -0.5, -0.49, -0.01},
+                                      .normal = Vector3::UnitY(),
+                                      .least = 1.0}};
+    solve_contacts(contacts, bodies);
+    EXPECT_NEAR(bodies.velocity[3].y(), -1.0, 1e-12);
+}
+
+// Bodies caught between others that cannot give way, so that not all contacts can have their way.
+TEST(ContactSolver, WhatIsCaughtGetsNoMoreEnergyThanItTakesToComeOut) {
+    std::mt19937 random(1);
+    const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    double most = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        ContactBodies bodies;
+        for (int b = 0; b < 10; ++b)
+            bodies.inverse_mass.push_back(b < 4 ? 0.0 : 1 + 9 * uniform());
+        bodies.velocity.assign(10, Vector3::Zero());
+        std::vector<Contact> contacts;
+        for (int c = 0; c < 40; ++c) {
+            Contact contact{.body = {}, .weight = {1, -uniform(), 0, 0}, .normal = {}};
+            contact.weight[2] = -1 - contact.weight[1];
+            for (Index& body : contact.body)
+                body = static_cast<Index>(random() % 10);
+            contact.normal =
+                Vector3(uniform() - 0.5, uniform() - 0.5, uniform() - 0.5).normalized();
+            contact.least = uniform();
+            contact.friction = uniform();
+            contact.guess = 100 * uniform() * contact.normal;  // from an interval that went wrong
+            contacts.push_back(contact);
+        }
+        solve_contacts(contacts, bodies);
+        double allowed = 0, kinetic = 0;
+        for (const Contact& c : contacts)
+            allowed += 4 * c.mass * c.least * c.least;
+        for (std::size_t b = 4; b < 10; ++b)
+            kinetic += 0.5 / bodies.inverse_mass[b] * bodies.velocity[b].squaredNorm();
+        EXPECT_LE(kinetic, allowed * (1 + 1e-12));
+        most = std::max(most, kinetic / allowed);
+    }
+    EXPECT_GT(most, 1 - 1e-9);  // some of them would have had more
 }
 
 TEST(ContactSolver, AnApproachDiesOutWithoutABounceAndNeverUsesUpTheGap) {
