@@ -12,6 +12,7 @@ namespace ember {
 namespace {
 
 constexpr double kReferenceSpacing = 0.0064;  // [m] of the paper's own lattice
+constexpr double kLeastStrength = 1e-12;      // [1] strain: without strength any tension breaks
 constexpr double kLeastAlignment = 0.5;       // of a crack from a border with the edge it opens
 
 struct Start {
@@ -62,8 +63,10 @@ class Cracking {
 WeakestDirection Cracking::weakest(Index site, const PlaneTensor& stress) const {
     WeakestDirection found =
         weakest_direction(stress, strength_tensor(lattice_, sheet_, fracture_, site));
-    found.ratio /= fracture_.threshold * relative_strength(lattice_, sheet_, in_.params,
-                                                           in_.sheet_number, site, in_.time);
+    const double strength =
+        fracture_.threshold *
+        relative_strength(lattice_, sheet_, in_.params, in_.sheet_number, site, in_.time);
+    found.ratio /= std::max(strength, kLeastStrength);
     return found;
 }
 
