@@ -91,9 +91,11 @@ void set_curvature(const Lattice& lattice, const CurlParams& curl, SheetState& s
 struct Free {
     double main, cross;
 };
-Free free_curvature(const Lattice& lattice, const Params& params, double heat, double charred) {
+Free free_curvature(const Lattice& lattice, const Params& params, const FaceDifference& faces,
+                    std::size_t i) {
     const CurlParams& curl = params.curl;
-    const double strain = curl.heat * heat + curl.charring * charred;
+    const double strain = curl.heat * faces.heat[i] + curl.charring * faces.charred[i] +
+                          curl.two_sided * faces.progress[i];
     const double curvature = bilayer_curvature(strain, caliper(params.paper));
     return {resolved_curvature(lattice, curvature),
             resolved_curvature(lattice, curl.cross_ratio * curvature)};
@@ -136,7 +138,7 @@ bool advance_curl(const Lattice& lattice, const Plate& plate, const Params& para
         const double given = fed && sheet.held[i] == 0 ? fire.heating[i] : 0.0;
         if (given == 0 && faces.heat[i] == 0 && df == 0) continue;
         ++counters.curl_visited;
-        const Free before = free_curvature(lattice, params, faces.heat[i], faces.charred[i]);
+        const Free before = free_curvature(lattice, params, faces, i);
         double heat = decay * faces.heat[i];
         if (given > 0) {
             // as the exchange of heat has it: nothing is heated above flame_limit
@@ -148,7 +150,7 @@ bool advance_curl(const Lattice& lattice, const Plate& plate, const Params& para
         faces.charred[i] +=
             df * heat / std::sqrt(heat * heat + kCharringDifference * kCharringDifference);
         faces.progress[i] += df;
-        const Free after = free_curvature(lattice, params, faces.heat[i], faces.charred[i]);
+        const Free after = free_curvature(lattice, params, faces, i);
         sheet.rest_curvature.main[i] += after.main - before.main;
         sheet.rest_curvature.cross[i] += after.cross - before.cross;
         sheet.quiet_ticks[static_cast<std::size_t>(lattice.row_of(static_cast<Index>(i)))] = 0;

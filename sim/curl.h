@@ -3,7 +3,8 @@
 //
 // The two halves of the caliper h are taken as the layers of a strip that shrink by strains that
 // differ by ε; without moments such a strip has the curvature 3 ε / 2h (Timoshenko 1925, equal
-// layers), towards the half that shrinks more. Here ε = heat · θ + charring · χ:
+// layers), towards the half that shrinks more. Here
+// ε = heat · θ + charring · χ + two_sided · p:
 //
 //   θ [K]  by how much the half towards the normal is hotter. Fire gives all its heat to the half
 //          that it is on, and heat crosses the caliper:
@@ -12,6 +13,8 @@
 //          the radius of the kernel: 0 from all around, towards 1 from one side.
 //   χ [1]  by how much that half is charred more: while a node loses the share df of what it loses
 //          in burning, χ grows by df · θ/√(θ² + θ_c²), θ_c = 100 K.
+//   p [1]  the share that it has lost of that. Paper has a wire side and a felt side, which differ
+//      in fillers and in how their fibres lie, so it curls even when heated evenly.
 //
 // A lattice resolves no radius much below two cells, so the curvature κ of either direction counts
 // as κ/√(1 + (2 h_max κ)²), h_max the longer side of a cell: by 1 % less at 3.5 cells, never more

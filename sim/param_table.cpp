@@ -102,3 +102,5 @@ std::vector<std::string> plausibility_warnings(const Params& params) {
             "numerics.safety is above 1: sub-steps may be unstable and will be rolled back");
     return warnings;
 }
+
+}  // namespace ember

@@ -98,12 +98,15 @@ struct PlateParams {
 
 /// Curl of a sheet that has flexural rigidity (curl.h).
 struct CurlParams {
-    double heat = 0.0;         // [1/K] strain by which the hotter half shrinks
-    double charring = 0.0;     // [1] the same of the half that has charred alone
+    double heat = 0.0;       // [1/K] strain by which the hotter half shrinks
+    double charring = 0.0;   // [1] the same of the half that has charred alone
+    double two_sided = 0.0;  // [1] the same of one face's half beyond the other's in full charring
     double cross_ratio = 2.0;  // [1] of the strains across and along the main direction
     double set = 0.0;          // [1] how much of its curvature charring paper keeps
 
-    [[nodiscard]] bool any() const { return heat != 0 || charring != 0 || set != 0; }
+    [[nodiscard]] bool any() const {
+        return heat != 0 || charring != 0 || two_sided != 0 || set != 0;
+    }
 };
 
 /// What pulls and drags at the sheet from outside.

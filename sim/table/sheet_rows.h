@@ -196,6 +196,12 @@ inline constexpr ParamInfo kSheetRows[] = {
         {"Strain by which a half that has charred alone has shrunk; it stays. Needs "
          "plate.youngs_main.",
          "Our choice"}),
+    real<&Params::curl, &CurlParams::two_sided>(
+        "curl.two_sided", "", unit::percent, {-100, 100}, {0, 5}, Linear, Rebuild,
+        {"Strain by which charring shrinks one face more than the other, since paper is made with "
+         "two unlike faces: ash rolls up towards the viewer, below 0 away from him. Needs "
+         "plate.youngs_main.",
+         "Our choice"}),
     real<&Params::curl, &CurlParams::cross_ratio>(
         "curl.cross_ratio", "", unit::one, {0, 20}, {1, 3}, Linear, Rebuild,
         {"How much more paper shrinks in the cross direction than along its fibres.",
