@@ -35,6 +35,8 @@ Params strip_params(Params p, Spread spread, double cell) {
     p.sheet.pose = spread == Spread::Horizontal ? SheetPose::Horizontal : SheetPose::Hanging;
     p.sheet.elevation = 0.5;
     p.lighter.on = false;
+    p.plate = {};  // what is held flat does not bend
+    p.curl = {};
     return p;
 }
 

@@ -31,6 +31,30 @@ Params flat_office() {
     return params;
 }
 
+TEST(RealPaper, AHangingA4StretchesByLessThanHalfAPercentAndBendsLittle) {
+    Params params = bench_params("real/office");
+    params.lighter.on = false;
+    params.sheet.width = 0.210, params.sheet.height = 0.297;
+    params.sheet.rows = 32, params.sheet.columns = 48;
+    World world = make_world(params);
+    const double cell = params.sheet.height / params.sheet.columns;
+    const Index columns = params.sheet.columns + 1;
+    const SheetState& sheet = world.state().sheets[0];
+    double most = 0;
+    for (int tick = 0; tick < 60; ++tick) {  // it starts unstretched and swings
+        ASSERT_TRUE(world.step().ok());
+        for (Index site = 0; site < columns * (params.sheet.rows + 1); ++site) {
+            if (site % columns == columns - 1) continue;
+            const auto n = static_cast<std::size_t>(site);
+            const double length = (sheet.position.at(n + 1) - sheet.position.at(n)).norm();
+            most = std::max(most, length / cell - 1);
+        }
+    }
+    RecordProperty("strain", std::to_string(most));
+    EXPECT_LT(most, 0.005);
+    EXPECT_GT(most, 0.0005);  // and is no board
+}
+
 TEST(RealPaper, FrontsMoveAtASpeedInverseToTheGrammage) {
     expect_like_paper(horizontal(bench_params("real/office"), kCoarse));
     expect_like_paper(horizontal(bench_params("real/kraft"), kCoarse));
