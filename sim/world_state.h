@@ -137,50 +137,48 @@ void for_each_field(State& state, Visitor&& visit);
 /// 64-bit hash of every field of the state, independent of the platform's memory layout.
 [[nodiscard]] std::uint64_t hash_of(const WorldState& state);
 
-template <class State, class Visitor>
-void for_each_field(State& s, Visitor&& visit) {
-    const auto vectors = [&visit](const char* name, auto& v) {
-        visit(name, v.x), visit(name, v.y), visit(name, v.z);
-    };
-    visit("tick", s.tick), visit("time", s.time), visit("refinement", s.refinement);
-    for (auto& sheet : s.sheets) {
-        vectors("sheet.position", sheet.position), vectors("sheet.velocity", sheet.velocity);
-        visit("sheet.temperature", sheet.temperature), visit("sheet.mass", sheet.mass);
-        visit("sheet.initial_mass", sheet.initial_mass);
-        visit("sheet.ignition_time", sheet.ignition_time);
-        visit("sheet.burnout_time", sheet.burnout_time), visit("sheet.phase", sheet.phase);
-        visit("sheet.site", sheet.site), visit("sheet.held", sheet.held);
-        visit("sheet.piece_held", sheet.piece_held), visit("sheet.glue", sheet.glue);
-        visit("sheet.relief_until", sheet.relief_until);
-        visit("sheet.quiet_ticks", sheet.quiet_ticks);
-        visit("sheet.rest_length", sheet.rest_length), visit("sheet.quads", sheet.quads);
-        visit("sheet.topology_version", sheet.topology_version);
-        auto& cracks = sheet.cracks;
-        if (!cracks.due.empty()) {  // not among the fields of a sheet without
-            visit("cracks.offset_x", cracks.offset_x), visit("cracks.offset_z", cracks.offset_z);
-            visit("cracks.heading_x", cracks.heading_x);
-            visit("cracks.heading_z", cracks.heading_z), visit("cracks.due", cracks.due);
-            visit("cracks.tips", cracks.tips);
-        }
-        auto& rest = sheet.rest_curvature;
-        if (rest.main.empty()) continue;  // not among the fields of a sheet without
-        visit("sheet.rest_curvature", rest.main), visit("sheet.rest_curvature", rest.cross);
-        visit("sheet.rest_curvature", rest.twist);
-        visit("sheet.faces", sheet.faces.heat), visit("sheet.faces", sheet.faces.charred);
-        visit("sheet.faces", sheet.faces.progress);
-        visit("energy.change_curvature", s.energy.change_curvature);
+template <class Visitor, class Vectors>
+void visit_vectors(Visitor& visit, const char* name, Vectors& v) {
+    visit(name, v.x), visit(name, v.y), visit(name, v.z);
+}
+
+template <class Sheet, class Visitor>
+void for_each_sheet_field(Sheet& sheet, Visitor&& visit) {
+    visit_vectors(visit, "sheet.position", sheet.position);
+    visit_vectors(visit, "sheet.velocity", sheet.velocity);
+    visit("sheet.temperature", sheet.temperature), visit("sheet.mass", sheet.mass);
+    visit("sheet.initial_mass", sheet.initial_mass);
+    visit("sheet.ignition_time", sheet.ignition_time);
+    visit("sheet.burnout_time", sheet.burnout_time), visit("sheet.phase", sheet.phase);
+    visit("sheet.site", sheet.site), visit("sheet.held", sheet.held);
+    visit("sheet.piece_held", sheet.piece_held), visit("sheet.glue", sheet.glue);
+    visit("sheet.relief_until", sheet.relief_until);
+    visit("sheet.quiet_ticks", sheet.quiet_ticks);
+    visit("sheet.rest_length", sheet.rest_length), visit("sheet.quads", sheet.quads);
+    visit("sheet.topology_version", sheet.topology_version);
+    auto& cracks = sheet.cracks;
+    if (!cracks.due.empty()) {  // not among the fields of a sheet without
+        visit("cracks.offset_x", cracks.offset_x), visit("cracks.offset_z", cracks.offset_z);
+        visit("cracks.heading_x", cracks.heading_x);
+        visit("cracks.heading_z", cracks.heading_z), visit("cracks.due", cracks.due);
+        visit("cracks.tips", cracks.tips);
     }
-    vectors("fire.position", s.fire.position), vectors("fire.velocity", s.fire.velocity);
-    visit("fire.temperature", s.fire.temperature), visit("fire.strength", s.fire.strength);
-    visit("fire.birth", s.fire.birth), visit("fire.death", s.fire.death);
-    visit("fire.id", s.fire.id);
+    auto& rest = sheet.rest_curvature;
+    if (rest.main.empty()) return;  // not among the fields of a sheet without
+    visit("sheet.rest_curvature", rest.main), visit("sheet.rest_curvature", rest.cross);
+    visit("sheet.rest_curvature", rest.twist);
+    visit("sheet.faces", sheet.faces.heat), visit("sheet.faces", sheet.faces.charred);
+    visit("sheet.faces", sheet.faces.progress);
+}
+
+template <class State, class Visitor>
+void for_each_ledger_field(State& s, Visitor&& visit) {
     auto& e = s.energy;
     visit("energy.initial", e.initial), visit("energy.kinetic", e.kinetic);
     visit("energy.elastic", e.elastic), visit("energy.gravitational", e.gravitational);
     visit("energy.work_fire", e.work_fire), visit("energy.change_scheme", e.change_scheme),
         visit("energy.unaccounted", e.unaccounted);
-    // without wind it is no part of the state, whose hash is then what it always was
-    if (e.work_wind != 0) visit("energy.work_wind", e.work_wind);
+    visit("energy.work_wind", e.work_wind);
     visit("energy.initial_gravitational", e.initial_gravitational);
     visit("energy.scheme_settled", e.scheme_settled), visit("energy.largest", e.largest),
         visit("energy.loss_damping", e.loss_damping);
@@ -193,11 +191,27 @@ void for_each_field(State& s, Visitor&& visit) {
     visit("heat.stored", h.stored), visit("heat.given_fire", h.given_fire);
     visit("heat.given_burning", h.given_burning), visit("heat.lost_air", h.lost_air);
     visit("heat.lost_held", h.lost_held);
-    if (h.change_edit != 0) visit("heat.change_edit", h.change_edit);
+    visit("heat.change_edit", h.change_edit);
     auto& t = s.totals;
     visit("totals.cuts", t.cuts), visit("totals.ignitions", t.ignitions);
     visit("totals.burnouts", t.burnouts), visit("totals.retries", t.retries);
     visit("totals.burnt_mass", t.burnt_mass);
+}
+
+template <class State, class Visitor>
+void for_each_field(State& s, Visitor&& visit) {
+    visit("tick", s.tick), visit("time", s.time), visit("refinement", s.refinement);
+    for (auto& sheet : s.sheets) {
+        for_each_sheet_field(sheet, visit);
+        if (!sheet.rest_curvature.main.empty())
+            visit("energy.change_curvature", s.energy.change_curvature);
+    }
+    visit_vectors(visit, "fire.position", s.fire.position);
+    visit_vectors(visit, "fire.velocity", s.fire.velocity);
+    visit("fire.temperature", s.fire.temperature), visit("fire.strength", s.fire.strength);
+    visit("fire.birth", s.fire.birth), visit("fire.death", s.fire.death);
+    visit("fire.id", s.fire.id);
+    for_each_ledger_field(s, visit);
 }
 
 }  // namespace ember
