@@ -6,15 +6,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <thread>
 
 namespace ember {
 namespace {
 
 constexpr std::size_t kMostOutput = 1 << 20;  // [bytes]
+constexpr int kPatience = 200;                // [10 ms] for a child that has been asked to end
 
 }  // namespace
 
@@ -45,10 +48,12 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, int niceness) 
 }
 
 ChildProcess::~ChildProcess() {
-    if (!code_) {
-        terminate();
-        int status = 0;
-        waitpid(pid_, &status, 0);
+    terminate();
+    for (int i = 0; !poll() && i < kPatience; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (!code_) {  // it has no file in half: they get their names when they are whole
+        kill(pid_, SIGKILL);
+        waitpid(pid_, nullptr, 0);
     }
     close(pipe_);
 }

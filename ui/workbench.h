@@ -117,6 +117,8 @@ class Workbench {
     void watch_files();
     void restart();
     void act_on_view(Action action);
+    void act_on_slots(Action action);
+    void act_on_panels(Action action);
     void act_on_lighter(Action action);
     void act_on_time(Action action);
     void act_on_file(Action action);

@@ -21,6 +21,8 @@ void Workbench::act(Action action) {
     act_on_file(action);
     act_on_time(action);
     act_on_view(action);
+    act_on_slots(action);
+    act_on_panels(action);
     act_on_lighter(action);
 }
 
@@ -192,18 +194,13 @@ void Workbench::act_on_view(Action action) {
             return next(1);
         case Action::PreviousCamera:
             return next(kCameras.size() - 1);
-        case Action::SideBySide:
-            shown.side_by_side = !shown.side_by_side;
-            return put_beside(shown.side_by_side);
-        case Action::Compare:
-            shown.comparing = true;
-            return put_beside(true);
-        case Action::SwapSlots:
-            return swap_slots();
-        case Action::StoreSlot:
-            other_ = values;
-            renew_beside();
-            return say(Severity::Info, "slots A and B are now the same");
+        default:
+            return;
+    }
+}
+
+void Workbench::act_on_panels(Action action) {
+    switch (action) {
         case Action::FullScreen:
             requests.full_screen = true;
             return;
@@ -234,28 +231,6 @@ void Workbench::act_on_view(Action action) {
         default:
             return;
     }
-}
-
-// The other slot burns beside this one from when somebody looks at it until they have had enough.
-void Workbench::put_beside(bool wanted) {
-    if (wanted == beside_) return;
-    beside_ = wanted;
-    session_.put_beside(wanted ? std::optional<Params>(other_.params) : std::nullopt);
-}
-
-void Workbench::renew_beside() {
-    if (!beside_) return;
-    beside_ = false;
-    put_beside(true);
-}
-
-void Workbench::swap_slots() {
-    const CameraParams camera = values.render.camera;
-    std::swap(values, other_);
-    values.render.camera = camera;
-    slot_b_ = !slot_b_;
-    renew_beside();
-    apply();
 }
 
 void Workbench::act_on_lighter(Action action) {

@@ -109,7 +109,7 @@ shot 8_figures
 xdotool key F3 F4
 
 before="$(clock)"
-xdotool key ctrl+s sleep 1
+xdotool key ctrl+s sleep 3
 xdotool type --delay 80 "quick v r"
 shot 9_save_as
 xdotool key Return
