@@ -36,6 +36,18 @@ std::string hashed_preset(const RenderJob& job, bool turns) {
     return preset_text(bindings, info);
 }
 
+// Where the preset is: built-in ones by name, wherever the program has been installed.
+std::string source_of(const std::filesystem::path& preset) {
+    std::error_code ignored;
+    const std::filesystem::path file = std::filesystem::weakly_canonical(preset, ignored);
+    for (const std::filesystem::path& folder : preset_folders()) {
+        const std::filesystem::path name =
+            file.lexically_relative(std::filesystem::weakly_canonical(folder, ignored));
+        if (!name.empty() && *name.begin() != "..") return name.string();
+    }
+    return file.string();
+}
+
 }  // namespace
 
 std::uint64_t text_hash(std::string_view text) {
@@ -59,10 +71,9 @@ ImageText shot_text(const RenderOptions& options, const RenderJob& job,
     }
     const std::string hashed = std::string(kVersion) + '\n' + renderer + '\n' + settings + '\n' +
                                pictures + hashed_preset(job, options.turntable != 0);
-    std::error_code ignored;
     return {{"Software", "emberleaf"},
             {"Version", kVersion},
-            {"Source", std::filesystem::weakly_canonical(preset.info.path, ignored).string()},
+            {"Source", source_of(preset.info.path)},
             {"Settings", settings},
             {"Seed", std::to_string(preset.params.numerics.seed)},
             {"Renderer", renderer},

@@ -60,7 +60,7 @@ fs::path place_of(const std::string& name, const fs::path& said_in) {
     if (fs::exists(beside) || !is_png(said_in)) return beside;
     const ImageText text = read_png_text(said_in);
     const std::string* source = find_text(text, "Source");
-    return source == nullptr ? beside : fs::path(*source).parent_path() / name;
+    return source == nullptr ? beside : find_preset(*source, {}).parent_path() / name;
 }
 
 }  // namespace
