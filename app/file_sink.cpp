@@ -75,6 +75,7 @@ void ExrSink::write(const std::string& path, const Picture& picture, const Image
 }
 
 ImageText ExrSink::read(const std::string& path) const {
+    static_cast<void>(read_exr(path));  // whether it is complete
     return read_exr_text(path);
 }
 

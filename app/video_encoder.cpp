@@ -49,6 +49,7 @@ int spawn(const std::vector<std::string>& command, int input, int errors, pid_t&
     sigset_t defaults;
     sigemptyset(&defaults);
     sigaddset(&defaults, SIGPIPE);
+    sigaddset(&defaults, SIGXFSZ);
     posix_spawnattr_setsigdefault(&attributes, &defaults);
     posix_spawnattr_setpgroup(&attributes, 0);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
@@ -131,6 +132,8 @@ void VideoEncoder::finish() {
     pipe_ = -1;
     const int status = wait_for_end();
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail("it ended abnormally");
+    // it may end well although the end of the film was not written; it says so, and only errors
+    if (::lseek(log_, 0, SEEK_END) > 0) fail("");
     publish_file(temporary_, path_);
     finished_ = true;
 }
