@@ -95,9 +95,18 @@ Gui::Gui(const Window& window) {
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
 }
 
-void Gui::begin_frame() {
+void Gui::begin_frame(const std::vector<int>& tapped) {
     ImGui_ImplGlfw_NewFrame();
+    bool* down = ImGui::GetIO().KeysDown;
+    std::vector<int> over;
+    for (const int key : tapped) {
+        if (key < 0 || key > GLFW_KEY_LAST || down[key]) continue;
+        down[key] = true;
+        over.push_back(key);
+    }
     ImGui::NewFrame();
+    for (const int key : over)
+        down[key] = false;
 }
 
 Gui::~Gui() {

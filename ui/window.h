@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ui/settings.h"
 
@@ -39,8 +40,10 @@ class Gui {
     /// Callbacks that the window already has go on being called.
     explicit Gui(const Window& window);
     ~Gui();
-    /// Takes in what has happened since the last frame; ImGui::Render() ends it.
-    static void begin_frame();
+    /// Takes in what has happened since the last frame; ImGui::Render() ends it. `tapped` are the
+    /// keys that have gone down since: one that is up again counts as down for this frame, because
+    /// a tap is shorter than a frame may be.
+    static void begin_frame(const std::vector<int>& tapped);
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 };

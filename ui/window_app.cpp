@@ -45,6 +45,8 @@ class App {
         if (const KeyBinding* binding = find_binding(key, control, shift, repeated))
             pressed_.push_back(binding->action);
     }
+    /// A key of the keyboard, whatever is printed on it, has gone down.
+    void tap(int key) { tapped_.push_back(key); }
     void release(int key) {
         input();
         if (key == binding_of(Action::Compare).key) bench_.shown.comparing = false;
@@ -147,7 +149,8 @@ class App {
         int width = 0, height = 0;
         glfwGetFramebufferSize(window_.handle(), &width, &height);
         if (width == 0 || height == 0) return;  // minimised
-        Gui::begin_frame();
+        Gui::begin_frame(tapped_);
+        tapped_.clear();
         layout_ = layout_of(bench_);
         plots_.add(bench_.pictured());
         draw_menu_bar(layout_, bench_);
@@ -201,6 +204,7 @@ class App {
     Speedometer speed_;
     Layout layout_;
     std::vector<Action> pressed_;
+    std::vector<int> tapped_;  // since the last frame
     std::string dropped_, title_;
     bool busy_ = false;
     int frames_due_ = kFramesAfterEvent;
@@ -227,6 +231,7 @@ void listen(GLFWwindow* window) {
         if (app_of(w) == nullptr) return;
         const int printed = printed_key(key, scancode);
         if (action == GLFW_RELEASE) return app_of(w)->release(printed);
+        app_of(w)->tap(key);
         app_of(w)->press(printed, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0,
                          action == GLFW_REPEAT);
     });
