@@ -12,6 +12,7 @@
 namespace ember {
 namespace {
 
+constexpr double kStiffEnough = 160;  // scale of a sheet that hardly stretches; more costs time
 constexpr double kWidth = 0.100, kLength = 0.300;  // [m]
 constexpr double kLit = 0.025;                     // [m] alight from the start
 constexpr double kHotter = 100;                    // [K] than ignition, so that it does ignite
@@ -35,8 +36,9 @@ Params strip_params(Params p, Spread spread, double cell) {
     p.sheet.pose = spread == Spread::Horizontal ? SheetPose::Horizontal : SheetPose::Hanging;
     p.sheet.elevation = 0.5;
     p.lighter.on = false;
-    p.plate = {};  // what is held flat does not bend
+    p.plate = {};  // what is held flat does not bend, nor hang
     p.curl = {};
+    p.springs.stiffness_scale = std::min(p.springs.stiffness_scale, kStiffEnough);
     return p;
 }
 
