@@ -1,6 +1,5 @@
 #include "app/checkpoint.h"
 
-#include <bit>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -9,20 +8,14 @@
 #include "app/exit_code.h"
 #include "app/preset_io/atomic_file.h"
 #include "app/shot_record.h"
+#include "app/value_bytes.h"
 #include "app/version.h"
 #include "sim/param_table.h"
 
 namespace ember {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "values are copied as they lie");
-
 constexpr std::string_view kMagic("emberleaf state 1\n");
-
-template <class T>
-void put(std::string& bytes, const T& value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
 
 struct FieldWriter {
     std::string& bytes;

@@ -1,22 +1,10 @@
 #include "app/mesh_files.h"
 
-#include <bit>
-#include <cstring>
 #include <sstream>
 
+#include "app/value_bytes.h"
+
 namespace ember {
-namespace {
-
-static_assert(std::endian::native == std::endian::little, "values are copied as they lie");
-
-template <class T>
-void put(std::string& bytes, T value) {
-    char raw[sizeof(T)];
-    std::memcpy(raw, &value, sizeof raw);
-    bytes.append(raw, sizeof raw);
-}
-
-}  // namespace
 
 std::string mesh_ply(const MeshFrame& mesh) {
     std::ostringstream head;

@@ -1,22 +1,12 @@
 #include "app/state_ply.h"
 
-#include <bit>
-#include <cstring>
 #include <sstream>
 
+#include "app/value_bytes.h"
 #include "sim/units.h"
 
 namespace ember {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "values are copied as they lie");
-
-template <class T>
-void put(std::string& bytes, T value) {
-    char raw[sizeof(T)];
-    std::memcpy(raw, &value, sizeof raw);
-    bytes.append(raw, sizeof raw);
-}
 
 // Where the sheet has no paper there is no node either.
 bool is_there(const SheetView& sheet, std::size_t node) {
