@@ -6,11 +6,23 @@ set -euo pipefail
 emberleaf="$1"
 scale="${2:-1}"
 shots="${3:-}"
-if [[ -z ${INSIDE_XVFB:-} ]]; then
-    INSIDE_XVFB=1 exec xvfb-run -a -s "-screen 0 $((1280 * scale))x$((720 * scale))x24" bash "$0" "$@"
-fi
 home="$(mktemp -d)"
-trap 'rm -rf "$home"' EXIT
+trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$home"' EXIT
+
+# The server itself takes a number that nobody else has, and is asked before anything relies on it:
+# xvfb-run's fixed 99 can be answered by a server that is not ours.
+Xvfb -displayfd 3 -noreset -nolisten tcp -screen 0 $((1280 * scale))x$((720 * scale))x24 \
+    3>"$home/display" 2>"$home/xvfb.log" &
+for _ in $(seq 100); do
+    export DISPLAY=":$(cat "$home/display")"
+    [[ $DISPLAY != : ]] && xdotool getdisplaygeometry >"$home/geometry" 2>&1 && break
+    sleep 0.2
+done
+grep -q '^[0-9]' "$home/geometry" 2>/dev/null || {
+    cat "$home/xvfb.log" "$home/geometry" >&2 || true
+    echo "drive_window: no virtual display" >&2
+    exit 1
+}
 unset XDG_CONFIG_HOME XDG_DATA_HOME XDG_CACHE_HOME XDG_STATE_HOME XDG_PICTURES_DIR
 export HOME="$home"
 
