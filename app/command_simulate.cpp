@@ -59,7 +59,6 @@ void print_summary(const World& world, const StatsRecorder& stats) {
     std::printf("cuts: %lld, ticks retried: %lld\n",
                 static_cast<long long>(world.state().totals.cuts),
                 static_cast<long long>(world.state().totals.retries));
-    std::printf("%s\n", labelled_hash(world).c_str());
 }
 
 // A run while it goes on.
@@ -82,7 +81,8 @@ class Run {
         progress_.finish();
         if (!options_.stats.empty()) write_file(options_.stats, stats_.json(world_, preset_));
         if (!good) throw RunError(divergence_text(last_report_));
-        print_summary(world_, stats_);
+        if (!options_.run.quiet) print_summary(world_, stats_);
+        std::printf("%s\n", labelled_hash(world_).c_str());
         return interrupt_signal() == 0 ? kOk : 128 + interrupt_signal();
     }
 

@@ -31,7 +31,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                     "default: as many as processors; never changes the result")
         ->check(CLI::Range(1, 256))
         ->type_name("N");
-    auto* quiet = command.add_flag("-q,--quiet", options.quiet, "only errors");
+    auto* quiet = command.add_flag("-q,--quiet", options.quiet, "only errors and results");
     command.add_flag("-v,--verbose", options.verbose, "warnings too")->excludes(quiet);
 }
 
