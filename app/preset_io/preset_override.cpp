@@ -42,7 +42,8 @@ Diagnostic place_error(const PresetInfo& info, const SceneError& error) {
     // "sheets.2.rows" may stand in [sheet], and something else is said of the element as a whole
     const std::string element = key.substr(0, key.rfind('.'));
     std::vector<std::string> candidates{key};
-    if (key.starts_with("sheets.")) candidates.push_back("sheet" + key.substr(key.rfind('.')));
+    if (key.starts_with("sheets."))
+        candidates.push_back(std::string("sheet").append(key, key.rfind('.')));
     candidates.push_back(element);
     PresetPlace place{info.path.string(), 0, 0};
     for (const std::string& candidate : candidates) {

@@ -88,7 +88,7 @@ TEST(HostileOutputs, APictureThatDoesNotFitIsNotLeftInHalf) {
 
 TEST(HostileOutputs, AReaderThatGoesAwayIsAFailedRun) {
     const ToolResult result = run_tool(
-        std::string("bash -c '") + EMBERLEAF_BINARY +
+        "bash -c '" EMBERLEAF_BINARY
         " render paper/corner -o - --frames 0..300 --size 320x240 -q | head -c 10 >/dev/null;"
         " exit ${PIPESTATUS[0]}'");
     EXPECT_EQ(result.status >> 8, 1);
