@@ -26,9 +26,9 @@ bool KeptPicture::holds(const PictureKey& key) {
     return false;
 }
 
-void KeptPicture::show(int x, int y) const {
+void KeptPicture::show(int x, int y, unsigned target) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
     glBlitFramebuffer(0, 0, key_.width, key_.height, x, y, x + key_.width, y + key_.height,
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }

@@ -22,8 +22,8 @@ class KeptPicture {
     [[nodiscard]] bool holds(const PictureKey& key);
     /// Framebuffer to draw a new one into.
     [[nodiscard]] unsigned framebuffer() const { return framebuffer_.name(); }
-    /// Copies it into the window, with its lower left corner at (x, y) [pixels].
-    void show(int x, int y) const;
+    /// Copies it into framebuffer `target`, with its lower left corner at (x, y) [pixels].
+    void show(int x, int y, unsigned target) const;
 
   private:
     Texture colour_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <sstream>
+#include <string_view>
 
 #include "app/preset_io/parameter_value.h"
 
@@ -44,24 +46,25 @@ std::vector<std::string> render_words(const std::string& program, const std::fil
 }
 
 int frames_done(const std::string& output) {
-    const std::size_t json = output.rfind("\"done\":");
-    if (json != std::string::npos) return std::atoi(output.c_str() + json + 7);
-    for (std::size_t slash = output.rfind('/'); slash != std::string::npos && slash > 0;
-         slash = output.rfind('/', slash - 1)) {
-        std::size_t begin = slash;
-        while (begin > 0 && std::isdigit(static_cast<unsigned char>(output[begin - 1])) != 0)
-            --begin;
-        const bool total = slash + 1 < output.size() &&
-                           std::isdigit(static_cast<unsigned char>(output[slash + 1])) != 0;
-        const bool word = begin == 0 || output[begin - 1] == ' ' || output[begin - 1] == '\n';
-        if (begin < slash && total && word) return std::atoi(output.c_str() + begin);
+    constexpr std::string_view kKey = "\"done\":";
+    const std::size_t at = output.rfind(kKey);
+    return at == std::string::npos ? 0 : std::atoi(output.c_str() + at + kKey.size());
+}
+
+std::string complaints(const std::string& output) {
+    std::istringstream lines(output);
+    std::string said;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with('{')) said += line + '\n';
     }
-    return 0;
+    return said;
 }
 
 void Recording::start(const std::filesystem::path& take, const std::filesystem::path& output,
                       const RecordingOptions& options, double now) {
-    child_ = std::make_unique<ChildProcess>(render_words(program_, take, output, options), kNice);
+    std::vector<std::string> words = render_words(program_, take, output, options);
+    words.insert(words.end(), {"--progress", "json"});
+    child_ = std::make_unique<ChildProcess>(words, kNice);
     state_ = State::Running;
     output_ = output;
     done_ = 0;
@@ -80,7 +83,7 @@ void Recording::poll(double now) {
     if (!code) return;
     state_ = cancelled_ ? State::Cancelled : *code == 0 ? State::Done : State::Failed;
     if (*code == 0) done_ = total_;
-    problem_ = tail_of(child_->output());
+    problem_ = tail_of(complaints(child_->output()));
     child_.reset();
 }
 

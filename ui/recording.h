@@ -60,8 +60,9 @@ class Recording {
     std::string problem_;
 };
 
-/// Frames that are done according to what `render` has written: the last "done/total" or
-/// "done":N in it; 0 when there is none.
+/// Frames that are done according to what `render --progress json` has written; 0 when it has not.
 [[nodiscard]] int frames_done(const std::string& output);
+/// What it has written besides its progress, as lines.
+[[nodiscard]] std::string complaints(const std::string& output);
 
 }  // namespace ember

@@ -40,7 +40,7 @@ void SceneView::draw_one(const Snapshot& shot, bool beside, const RenderParams& 
 }
 
 void SceneView::draw(Workbench& bench, const PictureRect& picture, double scale, int width,
-                     int height) {
+                     int height, unsigned target) {
     const Snapshot& shot = bench.snapshot();
     const int whole = pixels(picture.width, scale), high = pixels(picture.height, scale);
     const int bottom = height - pixels(picture.y, scale) - high;
@@ -53,11 +53,11 @@ void SceneView::draw(Workbench& bench, const PictureRect& picture, double scale,
     } catch (const std::exception& e) {
         bench.say(Severity::Error, e.what());
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, width, height);
-    left_.show(0, bottom);
-    if (both) right_.show(wide, bottom);
-    painter_.draw(*ImGui::GetDrawData());
+    left_.show(0, bottom, target);
+    if (both) right_.show(wide, bottom, target);
+    painter_.draw(*ImGui::GetDrawData(), target);
 }
 
 void SceneView::screenshot(Workbench& bench, const PictureRect& picture, double scale,

@@ -19,10 +19,11 @@ class SceneView {
     SceneView(GlLoader loader, std::string version)
         : renderer_(loader), version_(std::move(version)) {}
 
-    /// Draws the burn, or two side by side, and the panels over it, into the window of that size
-    /// [pixels]. While it plays and a picture takes long, pictures are simpler; a paused one is
-    /// drawn in full.
-    void draw(Workbench& bench, const PictureRect& picture, double scale, int width, int height);
+    /// Draws the burn, or two side by side, and the panels over it, into framebuffer `target` of
+    /// that size [pixels]. While it plays and a picture takes long, pictures are simpler; a paused
+    /// one is drawn in full.
+    void draw(Workbench& bench, const PictureRect& picture, double scale, int width, int height,
+              unsigned target);
 
     /// Saves what the picture shows, with its settings, and says where.
     void screenshot(Workbench& bench, const PictureRect& picture, double scale, bool transparent);

@@ -188,9 +188,10 @@ TEST_F(AtTheBench, TheCommandLineSaysWhatIsDifferent) {
 
 TEST(Recording, ReadsHowFarItIs) {
     EXPECT_EQ(frames_done(""), 0);
-    EXPECT_EQ(frames_done("3/30 pictures  10 %  1.2/s\n12/30 pictures  40 %  1.2/s  0:12 left\n"),
-              12);
-    EXPECT_EQ(frames_done("{\"event\":\"progress\",\"done\":7,\"total\":9}\n"), 7);
+    const std::string written =
+        "out.mp4: 3 MB\n{\"event\":\"progress\",\"done\":7,\"total\":9}\nerror: no space\n";
+    EXPECT_EQ(frames_done(written), 7);
+    EXPECT_EQ(complaints(written), "out.mp4: 3 MB\nerror: no space\n");
 }
 
 TEST(Settings, AreReadAsTheyWereWrittenAndNonsenseIsLeftOut) {
