@@ -118,6 +118,12 @@ void pan(CameraParams& params, double to_the_right, double upwards) {
     params.target_z += move.z();
 }
 
+void change_lens(CameraParams& params, double field_of_view) {
+    const double half_height = params.distance * std::tan(0.5 * params.field_of_view);
+    params.distance = std::clamp(half_height / std::tan(0.5 * field_of_view), kNearest, kFarthest);
+    params.field_of_view = 2 * std::atan(half_height / params.distance);
+}
+
 void zoom(CameraParams& params, double factor) {
     params.distance = std::clamp(params.distance / factor, kNearest, kFarthest);
 }

@@ -48,6 +48,9 @@ void look_from(CameraParams& params, const CameraView& view);
 void orbit(CameraParams& params, double to_the_right, double upwards);
 /// Moves target and camera in the picture plane by shares of the picture's height.
 void pan(CameraParams& params, double to_the_right, double upwards);
+/// Changes the angle of view [rad] and the distance with it, so that what is at the target keeps
+/// its size; as far as the distance may go.
+void change_lens(CameraParams& params, double field_of_view);
 /// Divides the distance by `factor`.
 void zoom(CameraParams& params, double factor);
 

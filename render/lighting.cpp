@@ -1,8 +1,10 @@
 #include "render/lighting.h"
 
+#include <Eigen/Geometry>
+
 namespace ember {
 
-Lighting lighting_of(LightingPreset preset) {
+Lighting lighting_of(LightingPreset preset, double turned) {
     Lighting light;
     switch (preset) {
         case LightingPreset::Studio:
@@ -26,6 +28,10 @@ Lighting lighting_of(LightingPreset preset) {
             light.ground = 0.13f;
             break;
     }
+    if (turned != 0)
+        light.key_direction =
+            Eigen::AngleAxisf(static_cast<float>(turned), Eigen::Vector3f::UnitY()) *
+            light.key_direction;
     return light;
 }
 

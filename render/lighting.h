@@ -17,6 +17,7 @@ struct Lighting {
     float ground;                        ///< reflectance of the ground
 };
 
-[[nodiscard]] Lighting lighting_of(LightingPreset preset);
+/// `turned` [rad]: the lamp, turned around the paper to the right from where the set has it.
+[[nodiscard]] Lighting lighting_of(LightingPreset preset, double turned = 0);
 
 }  // namespace ember

@@ -111,7 +111,7 @@ void Renderer::draw(const Frame& frame, const RenderParams& params, int width, i
     const WorldView& world = *frame.world;
     const Camera camera = make_camera(params.camera, width, height);
     const FlameLights lights = gather_flame_lights(world);
-    const Lighting lighting = lighting_of(params.look.lighting);
+    const Lighting lighting = lighting_of(params.look.lighting, params.look.light_azimuth);
     const Bounds bounds = bounds_of(world);
     const Eigen::Matrix4f to_shadow = shadow_from_world(bounds, lighting.key_direction);
     const bool beauty = params.view.mode == ViewMode::Beauty;

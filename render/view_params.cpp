@@ -122,6 +122,10 @@ constexpr ParamInfo kRows[] = {
                                           Logarithmic, "Brightness of the picture."),
     real<&R::look, &LookParams::key_light>("look.key_light", unit::one, {0, 100}, {0, 3}, Linear,
                                            "Brightness of the studio light."),
+    real<&R::look, &LookParams::light_azimuth>("look.light_azimuth", unit::degree, {-360, 360},
+                                               {-180, 180}, Linear,
+                                               "The lamp, turned around the paper to the right "
+                                               "from where the set has it."),
     real<&R::look, &LookParams::flame_light>("look.flame_light", unit::one, {0, 100}, {0, 4},
                                              Linear,
                                              "Light that flames throw on paper and ground."),

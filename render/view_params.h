@@ -58,6 +58,7 @@ struct LookParams {
     LightingPreset lighting = LightingPreset::Studio;
     double exposure = 1.0;          // [1]
     double key_light = 1.0;         // [1]
+    double light_azimuth = 0;       // [rad] from where the set has the lamp, to the right
     double flame_light = 1.0;       // [1] light that the flames throw on the sheet and ground
     double flame_size = 0.026;      // [m] width of a tongue of flame
     double flame_share = 0.055;     // [1] of the fire particles are drawn as tongues

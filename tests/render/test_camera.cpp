@@ -131,6 +131,21 @@ TEST(Camera, ZoomDividesTheDistanceWithinBounds) {
     EXPECT_LE(p.distance, 20.0);
 }
 
+TEST(Camera, AnotherLensKeepsTheSizeOfWhatIsAtTheTarget) {
+    const CameraParams before = straight();
+    const Vector3f point = target_of(before) + Vector3f(0.08f, 0.05f, 0);
+    const Vector3f nearer = target_of(before) + Vector3f(0.08f, 0.05f, 0.1f);
+    CameraParams p = before;
+    change_lens(p, 0.05);
+    EXPECT_NEAR(p.field_of_view, 0.05, 1e-12);
+    EXPECT_NEAR((seen(p, point) - seen(before, point)).head<2>().norm(), 0, 0.05);
+    EXPECT_LT((seen(p, nearer) - seen(p, point)).head<2>().norm(),
+              0.1f * (seen(before, nearer) - seen(before, point)).head<2>().norm());
+    change_lens(p, 1e-6);
+    EXPECT_LE(p.distance, 20.0) << "not out of the world";
+    EXPECT_NEAR((seen(p, point) - seen(before, point)).head<2>().norm(), 0, 0.5);
+}
+
 TEST(Camera, NamedViewsLookAtTheTargetFromWhereTheySay) {
     for (const char* name : {"front", "three_quarter", "side", "back", "top", "low", "close"}) {
         const CameraView* view = find_camera_view(name);

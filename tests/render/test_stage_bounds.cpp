@@ -42,6 +42,14 @@ TEST(StageBounds, ManySheetsShareTheOccluders) {
     EXPECT_LE(gather_occluders(world).size(), static_cast<std::size_t>(kMostOccluders));
 }
 
+TEST(Lighting, TheLampTurnsAroundThePaperToTheRight) {
+    const Eigen::Vector3f lamp = lighting_of(LightingPreset::Studio).key_direction;
+    EXPECT_EQ(lighting_of(LightingPreset::Studio, 0).key_direction, lamp);
+    const Eigen::Vector3f turned = lighting_of(LightingPreset::Studio, 0.5 * M_PI).key_direction;
+    EXPECT_NEAR((turned - Eigen::Vector3f(lamp.z(), lamp.y(), -lamp.x())).norm(), 0, 1e-6f)
+        << "what is in front comes to the right";
+}
+
 // The shadow map sees all paper, nearer to the lamp at smaller depth.
 TEST(StageBounds, TheLampSeesAllPaperWithDepthAwayFromTheLamp) {
     const test::StagedWorld staged = test::hanging_sheet(5, 7);
