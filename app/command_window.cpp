@@ -27,6 +27,7 @@ struct WindowCommand {
     std::string preset;
     double ui_scale = 0;
     bool list_bindings = false;
+    std::string shaders;
 };
 
 int open_window(const WindowCommand& command) {
@@ -41,7 +42,8 @@ int open_window(const WindowCommand& command) {
     }
 #ifdef EMBERLEAF_WITH_UI
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    return run_window({open_document(loaded.info.path), threads, command.ui_scale, kVersion});
+    return run_window(
+        {open_document(loaded.info.path), threads, command.ui_scale, kVersion, command.shaders});
 #else
     throw RunError("built without a window; to draw: emberleaf render " + run.preset +
                    " -o frame_####.png");
@@ -67,6 +69,10 @@ void add_window_command(CLI::App& app, Task& task) {
                    "size of the window's text and panels; default: as the monitor says")
         ->check(CLI::Range(0.5, 8.0))
         ->type_name("FACTOR");
+    app.add_option("--shaders", command->shaders,
+                   "take shaders and textures from here, and again whenever they change")
+        ->check(CLI::ExistingDirectory)
+        ->type_name("DIR");
     app.add_flag("--list-bindings", command->list_bindings,
                  "print the window's keys and what the mouse does");
     app.parse_complete_callback([&app, command, &task] {

@@ -58,6 +58,7 @@ constexpr KeyBinding kKeys[] = {
     {GLFW_KEY_3, false, false, false, CameraSide, "View", "3", "from the side"},
     {GLFW_KEY_7, false, false, false, CameraTop, "View", "7", "from above"},
     {GLFW_KEY_9, false, false, false, CameraThreeQuarter, "View", "9", "from three quarters"},
+    {GLFW_KEY_5, false, false, false, CameraFlat, "View", "5", "flat, from far away, or as before"},
     {GLFW_KEY_LEFT_BRACKET, false, false, false, PreviousCamera, "View", "[", "previous camera"},
     {GLFW_KEY_RIGHT_BRACKET, false, false, false, NextCamera, "View", "]", "next camera"},
     {GLFW_KEY_D, false, false, false, SideBySide, "View", "D", "slots A and B side by side"},
@@ -106,10 +107,13 @@ constexpr DragBinding kDrags[] = {
     {kAll, GLFW_MOUSE_BUTTON_RIGHT, false, false, false, Drag::Touch, "right drag",
      "touch the paper and pull"},
     {kAll, GLFW_MOUSE_BUTTON_RIGHT, true, false, false, Drag::Blow, "Shift + right drag", "blow"},
+    {kAll, GLFW_MOUSE_BUTTON_RIGHT, false, true, false, Drag::TurnLight, "Ctrl + right drag",
+     "turn the lamp around the paper"},
 };
 
 constexpr MouseHint kHints[] = {
     {"wheel", "nearer or farther away"},
+    {"Ctrl + wheel", "the same, towards what is under the mouse"},
     {"drag a lighter's handles", "move it, its height, its nozzle; Ctrl snaps to 5 mm"},
     {"rest on the paper", "what is there: temperature, mass, stress"},
     {"Ctrl + click on a value", "type it"},

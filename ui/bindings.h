@@ -48,6 +48,7 @@ enum class Action {
     CameraSide,
     CameraTop,
     CameraThreeQuarter,
+    CameraFlat,
     PreviousCamera,
     NextCamera,
     SideBySide,
@@ -86,7 +87,7 @@ struct KeyBinding {
 [[nodiscard]] const KeyBinding& binding_of(Action action);
 
 /// What dragging the mouse over the picture does.
-enum class Drag { Orbit, Pan, Zoom, PlaceLighter, Ignite, Touch, Blow };
+enum class Drag { Orbit, Pan, Zoom, PlaceLighter, Ignite, Touch, Blow, TurnLight };
 
 struct DragBinding {
     unsigned schemes;  ///< bit per CameraScheme

@@ -19,8 +19,8 @@ double pixels_per_point() {
 
 Desk::Desk(GlLoader loader, const std::string& version, Document document,
            const UserFolders& folders, const Settings& settings, int threads,
-           std::function<void()> wake)
-    : scene_(loader, version),
+           std::function<void()> wake, const std::filesystem::path& shaders)
+    : scene_(loader, version, shaders),
       browser_(folders.cache),
       bench_(std::move(document), folders, settings, threads, std::move(wake)) {}
 
@@ -56,7 +56,8 @@ bool Desk::changed() {
                               shot.commands + bench_.notices.all().size() +
                               static_cast<std::uint64_t>(bench_.recording.done()) +
                               static_cast<std::uint64_t>(bench_.recording.state());
-    return browser_.poll() || std::exchange(seen_, now) != now;
+    const bool news = std::exchange(seen_, now) != now;
+    return scene_.watch_shaders(bench_) || browser_.poll() || news || bench_.flying();
 }
 
 void Desk::obey() {
@@ -98,8 +99,8 @@ void Desk::use_mouse() {
     PictureRect tools = layout_.picture;
     if (bench_.both_shown()) tools.width /= 2;
     const PictureCamera picture = camera_of(tools, bench_.values.render.camera);
-    const bool taken = handles_.update(picture, bench_);
-    const auto drag = controls_.update(bench_.values.render.camera, bench_.settings.scheme,
+    const bool taken = bench_.settings.show_panel && handles_.update(picture, bench_);
+    const auto drag = controls_.update(bench_.values.render, bench_.settings.scheme,
                                        layout_.picture, bench_.shown.placing, taken);
     if (drag) tools_.use(*drag, picture, bench_);
     if (!taken && !drag && !controls_.dragging()) draw_probe(picture, bench_.pictured());

@@ -18,9 +18,10 @@ namespace ember {
 /// call.
 class Desk {
   public:
-    /// `wake`: called from another thread when there is news of the burn.
+    /// `wake`: called from another thread when there is news of the burn. `shaders`: see SceneView.
     Desk(GlLoader loader, const std::string& version, Document document, const UserFolders& folders,
-         const Settings& settings, int threads, std::function<void()> wake = {});
+         const Settings& settings, int threads, std::function<void()> wake = {},
+         const std::filesystem::path& shaders = {});
 
     // ---- events; they act with the next frame
     /// A key, named as GLFW does by what is printed on it, has gone down.

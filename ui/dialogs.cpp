@@ -75,7 +75,7 @@ void Dialogs::save_as(Workbench& bench) {
         ImGui::EndDisabled();
         if (!file.empty() && (pressed || entered) && bench.save_to(path)) {
             bench.shown.save_as = false;
-            if (!bench.pending().empty()) bench.answer(false, true);
+            if (bench.pending()) bench.answer(false, true);
         }
         ImGui::SameLine();
         if (ImGui::Button("Cancel")) bench.shown.save_as = false;

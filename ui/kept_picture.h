@@ -20,6 +20,8 @@ class KeptPicture {
   public:
     /// Whether a picture with this key is kept; if not, makes room for it.
     [[nodiscard]] bool holds(const PictureKey& key);
+    /// Whatever is kept is no longer true.
+    void forget() { key_ = {}; }
     /// Framebuffer to draw a new one into.
     [[nodiscard]] unsigned framebuffer() const { return framebuffer_.name(); }
     /// Copies it into framebuffer `target`, with its lower left corner at (x, y) [pixels].

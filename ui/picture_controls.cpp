@@ -10,9 +10,24 @@
 namespace ember {
 namespace {
 
+constexpr double kPi = 3.141592653589793;
 constexpr double kOrbitPerPoint = 0.008;  // [rad]
+constexpr double kLampPerPoint = 0.008;   // [rad]
 constexpr double kZoomPerNotch = 1.15;    // [1]
 constexpr double kZoomPerPoint = 1.005;   // [1]
+
+// What is under the mouse, level with the camera's target, stays there.
+void zoom_towards(CameraParams& camera, double factor, const PicturePoint& at,
+                  const PictureRect& picture) {
+    const double before = camera.distance;
+    const CameraParams from = camera;
+    zoom(camera, factor);
+    const double share = (1 - camera.distance / before) / picture.height;
+    CameraParams moved = from;
+    pan(moved, share * (at.x - 0.5 * picture.width), share * (0.5 * picture.height - at.y));
+    moved.distance = camera.distance;
+    camera = moved;
+}
 
 }  // namespace
 
@@ -35,15 +50,18 @@ void PictureControls::begin_drag(CameraScheme scheme, bool placing) {
     }
 }
 
-std::optional<PictureDrag> PictureControls::update(CameraParams& camera, CameraScheme scheme,
+std::optional<PictureDrag> PictureControls::update(RenderParams& render, CameraScheme scheme,
                                                    const PictureRect& picture, bool& placing,
                                                    bool taken) {
     const ImGuiIO& io = ImGui::GetIO();
+    CameraParams& camera = render.camera;
     const auto over = mouse_in(picture);
     if (over && !taken && !drag_) {
         begin_drag(scheme, placing);
         if (drag_) from_ = *over;
-        if (io.MouseWheel != 0) zoom(camera, std::pow(kZoomPerNotch, double(io.MouseWheel)));
+        const double factor = std::pow(kZoomPerNotch, double(io.MouseWheel));
+        if (factor != 1 && io.KeyCtrl) zoom_towards(camera, factor, *over, picture);
+        if (factor != 1 && !io.KeyCtrl) zoom(camera, factor);
     }
     if (!drag_) return std::nullopt;
     const Drag drag = *drag_;
@@ -53,7 +71,10 @@ std::optional<PictureDrag> PictureControls::update(CameraParams& camera, CameraS
     if (drag == Drag::Orbit) orbit(camera, -kOrbitPerPoint * dx, kOrbitPerPoint * dy);
     if (drag == Drag::Pan) pan(camera, -dx / picture.height, dy / picture.height);
     if (drag == Drag::Zoom) zoom(camera, std::pow(kZoomPerPoint, dx - dy));
-    if (drag == Drag::Orbit || drag == Drag::Pan || drag == Drag::Zoom) return std::nullopt;
+    double& lamp = render.look.light_azimuth;
+    if (drag == Drag::TurnLight) lamp = std::remainder(lamp + kLampPerPoint * dx, 2 * kPi);
+    if (drag == Drag::Orbit || drag == Drag::Pan || drag == Drag::Zoom || drag == Drag::TurnLight)
+        return std::nullopt;
     placing = placing && !(drag == Drag::PlaceLighter && ended);
     const PicturePoint at{double(io.MousePos.x) - picture.x, double(io.MousePos.y) - picture.y};
     return PictureDrag{drag, at, from_, std::exchange(begun_, false), ended};

@@ -1,4 +1,4 @@
-// The mouse over the picture: turn, move and zoom the camera, or use a tool.
+// The mouse over the picture: turn, move and zoom the camera, turn the lamp, or use a tool.
 #pragma once
 
 #include <optional>
@@ -27,10 +27,10 @@ struct PictureDrag {
 
 class PictureControls {
   public:
-    /// Applies what the mouse did since the last frame to `camera`; says which tool is in use, if
-    /// one is. `placing`: a plain click places the lighter, and ends that mode. `taken`: the mouse
-    /// is on something else. Call within an ImGui frame.
-    [[nodiscard]] std::optional<PictureDrag> update(CameraParams& camera, CameraScheme scheme,
+    /// Applies what the mouse did since the last frame to camera and lamp; says which tool is in
+    /// use, if one is. `placing`: a plain click places the lighter, and ends that mode. `taken`:
+    /// the mouse is on something else. Call within an ImGui frame.
+    [[nodiscard]] std::optional<PictureDrag> update(RenderParams& render, CameraScheme scheme,
                                                     const PictureRect& picture, bool& placing,
                                                     bool taken);
     [[nodiscard]] bool dragging() const { return drag_.has_value(); }

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <exception>
@@ -11,6 +12,7 @@
 namespace ember {
 namespace {
 
+constexpr double kWatchEvery = 0.5;              // [s]
 constexpr double kSlow = 0.045, kQuick = 0.015;  // [s] for one picture
 
 int pixels(double points, double scale) {
@@ -22,6 +24,34 @@ int pixels(double points, double scale) {
 PictureCamera camera_of(const PictureRect& picture, const CameraParams& camera) {
     return {make_camera(camera, static_cast<int>(picture.width), static_cast<int>(picture.height)),
             picture};
+}
+
+std::filesystem::file_time_type SceneView::last_written() const {
+    auto last = std::filesystem::file_time_type::min();  // its epoch lies in the future
+    std::error_code none;
+    for (const auto& file : std::filesystem::directory_iterator(shaders_, none)) {
+        const auto written = file.last_write_time(none);
+        if (!none) last = std::max(last, written);
+    }
+    return last;
+}
+
+bool SceneView::watch_shaders(Workbench& bench) {
+    if (shaders_.empty() || bench.now() - shaders_seen_ < kWatchEvery) return false;
+    shaders_seen_ = bench.now();
+    const auto written = last_written();
+    if (written == shaders_written_) return false;
+    shaders_written_ = written;
+    try {
+        renderer_.reload(shaders_);
+        left_.forget();
+        right_.forget();
+        bench.say(Severity::Info, "shaders from " + shaders_.string());
+        return true;
+    } catch (const std::exception& e) {
+        bench.say(Severity::Error, e.what());
+        return false;
+    }
 }
 
 void SceneView::draw_one(const Snapshot& shot, bool beside, const RenderParams& render, int width,
@@ -69,8 +99,6 @@ void SceneView::screenshot(Workbench& bench, const PictureRect& picture, double 
         const Image image =
             renderer_.draw_image({&shot.view, shot.springs}, render, pixels(picture.width, scale),
                                  pixels(picture.height, scale));
-        PresetValues base = bench.values;
-        base.params = shot.base;
         const auto file = bench.numbered_file(bench.folders().pictures, ".png");
         std::filesystem::create_directories(file.parent_path());
         char time[32];
@@ -78,7 +106,7 @@ void SceneView::screenshot(Workbench& bench, const PictureRect& picture, double 
         write_png(file, image,
                   {{"Software", "emberleaf"},
                    {"Version", version_},
-                   {"Preset", take_text(bench.document(), base, *shot.script)},
+                   {"Preset", bench.take_of(shot)},
                    {"Time", time},
                    {"Renderer", renderer_.description()}});
         bench.say(Severity::Info, "saved " + file.string());

@@ -26,8 +26,9 @@ class App {
     App(Window& window, const WindowOptions& options, const UserFolders& folders,
         const Settings& settings)
         : window_(window),
-          desk_(glfwGetProcAddress, options.version, options.document, folders, settings,
-                options.threads, [] { glfwPostEmptyEvent(); }) {}
+          desk_(
+              glfwGetProcAddress, options.version, options.document, folders, settings,
+              options.threads, [] { glfwPostEmptyEvent(); }, options.shaders) {}
 
     // ---- what the callbacks call
     void input() { frames_due_ = kFramesAfterEvent; }

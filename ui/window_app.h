@@ -1,6 +1,9 @@
 // The window: one frame after the other, from events to pixels.
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include "ui/document.h"
 
 namespace ember {
@@ -10,6 +13,8 @@ struct WindowOptions {
     int threads = 1;
     double ui_scale = 0;  ///< of panels and text; 0: as the monitor says
     std::string version;  ///< for pictures
+    /// Shaders and textures from here, read again whenever they change; empty: the program's own.
+    std::filesystem::path shaders;
 };
 
 /// Opens the window and runs until it is closed; returns the exit code. Prints the reason and

@@ -27,11 +27,15 @@ Workbench::Workbench(Document document, UserFolders folders, Settings remembered
       document_(std::move(document)),
       folders_(std::move(folders)),
       other_(document_.saved),
+      recovery_(folders_.state),
       session_(document_.saved.params, threads, std::move(wake)) {
     snapshot_ = session_.latest();
     Document opened = document_;
     take_document(std::move(opened));
     post([](Session& s) { s.play(); });
+    for (const auto& file : recovery_.left_behind())
+        say(Severity::Warning,
+            "an earlier window ended before it was closed; what was done in it: " + file.string());
 }
 
 void Workbench::post(SessionThread::Command command) {
@@ -77,6 +81,9 @@ void Workbench::begin_frame(double now, bool busy) {
             say(Severity::Error, "the recording failed: " + recording.problem());
     }
     was_recording_ = recording_now;
+    if (busy) flight_.stop();
+    if (const auto camera = flight_.at(now)) values.render.camera = *camera;
+    if (recovery_.due(now)) keep_recovery();
     session_.want_springs(needs_springs(values.render.view.mode));
     if (now - watched_ >= kWatchEvery) watch_files();
 }
@@ -84,6 +91,16 @@ void Workbench::begin_frame(double now, bool busy) {
 void Workbench::end_frame(bool busy) {
     if (!busy && caught_up()) history_.settle(values);
     dirty_ = !unsaved().empty();
+}
+
+void Workbench::keep_recovery() {
+    try {
+        const bool something = dirty_ || !snapshot_->script->empty();
+        if (something) recovery_.keep(take_of(*snapshot_), now_);
+        if (!something) recovery_.forget();
+    } catch (const std::exception& e) {
+        say(Severity::Warning, e.what());
+    }
 }
 
 std::vector<ShownChange> Workbench::unsaved() const {
@@ -142,7 +159,6 @@ void Workbench::open_beside(const std::filesystem::path& path) {
 
 bool Workbench::save_to(const std::filesystem::path& path) {
     try {
-        const std::filesystem::path before = document_.info.path;
         document_ = save_document(document_, values, path);
         settings.remember(path.string());
         dirty_ = !unsaved().empty();
@@ -161,13 +177,15 @@ void Workbench::answer(bool save, bool discard) {
         return;
     }
     if (save && !save_to(document_.info.path)) return;
+    const std::filesystem::path path = std::exchange(pending_, {}).value_or("");
     if (!save && !discard) return;
-    const std::filesystem::path path = std::exchange(pending_, {});
-    if (path.empty()) {
-        requests.quit = true;
-    } else {
-        open(path, true);
-    }
+    if (path.empty()) return quit();
+    open(path, true);
+}
+
+void Workbench::quit() {
+    recovery_.forget();
+    requests.quit = true;
 }
 
 void Workbench::go_to(std::uint64_t tick) {
@@ -196,11 +214,15 @@ void Workbench::place_lighter(const Vector3& place) {
     change_lighter(lighter, moved);
 }
 
-std::filesystem::path Workbench::save_take(const std::filesystem::path& folder) {
+std::string Workbench::take_of(const Snapshot& shot) const {
     PresetValues base = values;
-    base.params = snapshot_->base;
+    base.params = shot.base;
+    return take_text(document_, base, *shot.script);
+}
+
+std::filesystem::path Workbench::save_take(const std::filesystem::path& folder) {
     const std::filesystem::path file = numbered_file(folder, ".take");
-    write_file(file, take_text(document_, base, *snapshot_->script));
+    write_file(file, take_of(*snapshot_));
     return file;
 }
 

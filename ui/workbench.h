@@ -8,10 +8,12 @@
 #include <string>
 
 #include "ui/bindings.h"
+#include "ui/camera_flight.h"
 #include "ui/document.h"
 #include "ui/edit_history.h"
 #include "ui/notices.h"
 #include "ui/recording.h"
+#include "ui/recovery.h"
 #include "ui/session_thread.h"
 #include "ui/settings.h"
 #include "ui/user_folders.h"
@@ -77,6 +79,8 @@ class Workbench {
     [[nodiscard]] const PresetValues& other_slot() const { return other_; }
     [[nodiscard]] double speed() const { return speed_; }
     [[nodiscard]] bool loop() const { return loop_; }
+    /// The camera is on its way.
+    [[nodiscard]] bool flying() const { return flight_.flying(); }
     [[nodiscard]] bool caught_up() const { return snapshot_->commands >= last_edit_; }
 
     /// Opens a preset, a take or a picture; asks first when there are unsaved changes, unless
@@ -86,8 +90,8 @@ class Workbench {
     void open_beside(const std::filesystem::path& path);
     /// Returns whether it is written.
     bool save_to(const std::filesystem::path& path);
-    /// What waits for an answer about unsaved changes: a path, or empty for leaving the program.
-    [[nodiscard]] const std::filesystem::path& pending() const { return pending_; }
+    /// Whether something waits for an answer about unsaved changes: a file, or leaving the program.
+    [[nodiscard]] bool pending() const { return pending_.has_value(); }
     void answer(bool save, bool discard);
 
     void go_to(std::uint64_t tick);
@@ -97,6 +101,8 @@ class Workbench {
     void change_lighter(std::size_t number, const LighterParams& lighter);
     /// Moves the edited lighter there, lit from now on unless it is.
     void place_lighter(const Vector3& place);
+    /// What has led to a state, as the text of a take.
+    [[nodiscard]] std::string take_of(const Snapshot& shot) const;
     /// Writes what was done so far as a take; returns its file.
     [[nodiscard]] std::filesystem::path save_take(const std::filesystem::path& folder);
     /// Starts a recording of the burn as it has been steered.
@@ -123,6 +129,10 @@ class Workbench {
     void act_on_time(Action action);
     void act_on_file(Action action);
     void look(std::string_view camera);
+    void fly_to(const CameraParams& goal);
+    void flatten_camera();
+    void keep_recovery();
+    void quit();
     void undo(bool again);
     void swap_slots();
     void post(SessionThread::Command command);
@@ -133,12 +143,14 @@ class Workbench {
     UserFolders folders_;
     PresetValues other_;  // the slot that is not edited
     EditHistory history_;
+    CameraFlight flight_;
+    Recovery recovery_;
     SessionThread session_;
     std::shared_ptr<const Snapshot> snapshot_;
-    std::filesystem::path pending_;
-    std::uint64_t last_edit_ = 0;               // number of its command
-    std::string said_;                          // by the session, last
-    double now_ = 0, watched_ = 0, speed_ = 1;  // [s]
+    std::optional<std::filesystem::path> pending_;  // a file to open; empty: leaving
+    std::uint64_t last_edit_ = 0;                   // number of its command
+    std::string said_;                              // by the session, last
+    double now_ = 0, watched_ = 0, speed_ = 1;      // [s]
     bool loop_ = false, slot_b_ = false, dirty_ = false, beside_ = false, was_recording_ = false;
     std::size_t camera_ = 0;
 };

@@ -13,6 +13,7 @@
 namespace ember {
 namespace {
 
+constexpr double kFlat = 0.04;  // [rad] of view
 constexpr std::array kCameras = {"front", "three_quarter", "side", "back", "top", "low", "close"};
 
 }  // namespace
@@ -35,11 +36,10 @@ void Workbench::act_on_file(Action action) {
             shown.open_path = true;
             break;
         case Action::Save:
-            if (document_.read_only) shown.save_as = true;
-            if (!document_.read_only) save_to(document_.info.path);
-            break;
         case Action::SaveAs:
-            shown.save_as = true;
+            pending_.reset();  // this is no answer to what was asked
+            shown.save_as = action == Action::SaveAs || document_.read_only;
+            if (!shown.save_as) save_to(document_.info.path);
             break;
         case Action::Reload:
             open(document_.info.path);
@@ -77,9 +77,9 @@ void Workbench::act_on_file(Action action) {
             undo(action == Action::Redo);
             break;
         case Action::Quit:
-            pending_.clear();
+            pending_ = std::filesystem::path();
             shown.leaving = dirty_;
-            requests.quit = !dirty_;
+            if (!dirty_) quit();
             break;
         default:
             break;
@@ -156,8 +156,22 @@ void Workbench::act_on_time(Action action) {
 }
 
 void Workbench::look(std::string_view camera) {
-    values.render.camera = document_.saved.render.camera;
-    look_from(values.render.camera, *find_camera_view(camera));
+    CameraParams goal = document_.saved.render.camera;
+    look_from(goal, *find_camera_view(camera));
+    fly_to(goal);
+}
+
+void Workbench::fly_to(const CameraParams& goal) {
+    flight_.begin(values.render.camera, goal, now_);
+}
+
+// Nearly without perspective, as drawings are made, or with that of the preset again.
+void Workbench::flatten_camera() {
+    CameraParams goal = values.render.camera;
+    const double usual = document_.saved.render.camera.field_of_view;
+    const bool flat = goal.field_of_view < 2 * kFlat;
+    change_lens(goal, !flat ? kFlat : usual > 2 * kFlat ? usual : CameraParams().field_of_view);
+    fly_to(goal);
 }
 
 void Workbench::act_on_view(Action action) {
@@ -180,8 +194,9 @@ void Workbench::act_on_view(Action action) {
             view.flames = !view.flames;
             return;
         case Action::HomeCamera:
-            values.render.camera = document_.saved.render.camera;
-            return;
+            return fly_to(document_.saved.render.camera);
+        case Action::CameraFlat:
+            return flatten_camera();
         case Action::CameraFront:
             return look("front");
         case Action::CameraSide:

@@ -205,6 +205,22 @@ TEST_F(Walk, HoldingTabShowsTheOtherSlotWhileItLasts) {
     EXPECT_EQ(&bench().pictured(), &bench().snapshot());
 }
 
+TEST_F(Walk, LeavingABuiltInPresetWithChangesSavesThemElsewhereAndLeaves) {
+    bench().open(find_preset("bench/swing", ""));
+    frames(3);
+    bench().values.params.paper.grammage *= 1.5;
+    bench().apply();
+    frames(3);
+    key(GLFW_KEY_Q, true);
+    EXPECT_TRUE(bench().shown.leaving);
+    bench().answer(true, false);
+    frames(3);
+    type("kept");  // over the suggestion, which is selected
+    key(GLFW_KEY_ENTER);
+    EXPECT_TRUE(std::filesystem::exists(folders_.presets / "kept.toml"));
+    EXPECT_TRUE(bench().requests.quit);
+}
+
 TEST_F(Walk, AFileDroppedOnTheWindowIsOpened) {
     const auto other = folder_.write("other.toml", "schema = 1\ntitle = \"other\"\n");
     desk_->drop(other.string());
@@ -214,6 +230,79 @@ TEST_F(Walk, AFileDroppedOnTheWindowIsOpened) {
     frames(3);
     EXPECT_EQ(bench().document().title(), "other");
     EXPECT_NE(bench().notices.all().back().text.find("no such file.toml"), std::string::npos);
+}
+
+TEST_F(Walk, TheWheelWithControlGoesTowardsWhatIsUnderTheMouse) {
+    const ImVec2 before = place_of(kCorner);
+    const double distance = bench().values.render.camera.distance;
+    point(double(before.x), double(before.y));
+    ImGuiIO& io = ImGui::GetIO();
+    for (const bool control : {true, false}) {
+        io.KeyCtrl = control;
+        io.MouseWheel = 3;
+        frame();
+        io.KeyCtrl = false;
+        const ImVec2 after = place_of(kCorner);
+        const float moved = std::hypot(after.x - before.x, after.y - before.y);
+        EXPECT_TRUE(control ? moved < 3 : moved > 30) << moved;
+    }
+    EXPECT_LT(bench().values.render.camera.distance, 0.5 * distance);
+}
+
+TEST_F(Walk, ControlAndTheRightButtonTurnTheLampInOneEdit) {
+    const PictureRect& r = layout().picture;
+    ImGui::GetIO().KeyCtrl = true;
+    drag(0.5 * r.width, 0.5 * r.height, 0.5 * r.width + 100, 0.5 * r.height, 1);
+    ImGui::GetIO().KeyCtrl = false;
+    frames(2);
+    EXPECT_NEAR(bench().values.render.look.light_azimuth, 0.8, 1e-9);
+    EXPECT_EQ(bench().history().size(), 1u);
+    key(GLFW_KEY_Z, true);
+    EXPECT_EQ(bench().values.render.look.light_azimuth, 0);
+}
+
+TEST_F(Walk, CamerasAreFlownToAndAHandStopsThem) {
+    const CameraParams start = bench().values.render.camera;
+    key(GLFW_KEY_7);
+    EXPECT_TRUE(bench().flying());
+    frames(30);
+    EXPECT_FALSE(bench().flying());
+    EXPECT_GT(bench().values.render.camera.elevation, 1.0);
+    key(GLFW_KEY_5);
+    frames(30);
+    EXPECT_LT(bench().values.render.camera.field_of_view, 0.1);
+    key(GLFW_KEY_HOME);
+    frames(30);
+    EXPECT_EQ(bench().values.render.camera.distance, start.distance);
+    key(GLFW_KEY_7);
+    const PictureRect& r = layout().picture;
+    drag(0.5 * r.width, 0.5 * r.height, 0.5 * r.width + 5, 0.5 * r.height);
+    EXPECT_FALSE(bench().flying());
+    EXPECT_LT(bench().values.render.camera.elevation, 1.0);
+}
+
+TEST_F(Walk, ShadersThatChangeAreTakenUnlessTheyAreWrong) {
+    const std::filesystem::path own = EMBERLEAF_SOURCE "/shaders";
+    std::filesystem::copy(own, folder_ / "shaders");
+    const std::string good = folder_.read("shaders/film.frag");
+    SceneView scene(context_->loader(), "test", folder_ / "shaders");
+    EXPECT_TRUE(scene.watch_shaders(bench())) << "the first time";
+    EXPECT_FALSE(scene.watch_shaders(bench())) << "not twice";
+    const auto rewrite = [&](const std::string& text, int later) {
+        const auto file = folder_.write("shaders/film.frag", text);
+        std::filesystem::last_write_time(
+            file, std::filesystem::last_write_time(file) + std::chrono::seconds(later));
+        time_ += 1;
+        frame();
+    };
+    rewrite("\n" + good + "nonsense\n", 1);
+    EXPECT_FALSE(scene.watch_shaders(bench()));
+    EXPECT_NE(bench().notices.all().back().text.find("film.frag:"), std::string::npos)
+        << bench().notices.all().back().text;
+    scene.draw(bench(), layout().picture, 1, width_, height_, target_->name());
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << "the last good ones draw";
+    rewrite(good, 2);
+    EXPECT_TRUE(scene.watch_shaders(bench()));
 }
 
 TEST_F(Walk, ATransparentScreenshotHasNoBackgroundAndOpensAgain) {
