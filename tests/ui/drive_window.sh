@@ -11,6 +11,7 @@ trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$home"' EXIT
 
 # The server itself takes a number that nobody else has, and is asked before anything relies on it:
 # xvfb-run's fixed 99 can be answered by a server that is not ours.
+: >"$home/display"
 Xvfb -displayfd 3 -noreset -nolisten tcp -screen 0 $((1280 * scale))x$((720 * scale))x24 \
     3>"$home/display" 2>"$home/xvfb.log" &
 for _ in $(seq 100); do
