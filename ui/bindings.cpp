@@ -66,6 +66,7 @@ constexpr KeyBinding kKeys[] = {
     {GLFW_KEY_F11, false, false, false, FullScreen, "View", "F11", "full screen"},
     {GLFW_KEY_P, false, false, false, PlaceLighter, "Lighter", "P", "place the lighter by a click"},
     {GLFW_KEY_I, false, false, false, LightNow, "Lighter", "I", "light it now"},
+    {GLFW_KEY_K, false, false, false, RecordPath, "Lighter", "K", "its movements become its path"},
     {GLFW_KEY_N, false, false, false, AddLighter, "Lighter", "N", "another lighter"},
     {GLFW_KEY_DELETE, false, false, false, RemoveLighter, "Lighter", "Del", "remove the lighter"},
     {GLFW_KEY_F1, false, false, false, ToggleHelp, "Help", "F1", "keys and mouse"},

@@ -56,6 +56,7 @@ enum class Action {
     FullScreen,
     PlaceLighter,
     LightNow,
+    RecordPath,
     AddLighter,
     RemoveLighter,
     ToggleHelp,

@@ -54,4 +54,15 @@ void move_lighter(LighterParams& lighter, const Vector3& place, bool lit, double
     lighter.start = now;
 }
 
+void extend_path(LighterParams& lighter, double time, double tick) {
+    auto& path = lighter.path;
+    while (!path.empty() && path.back()[0] >= time)
+        path.pop_back();
+    if (!path.empty() && path.back()[0] < time - tick) {
+        path.push_back(path.back());
+        path.back()[0] = time - tick;
+    }
+    path.push_back({time, lighter.x, lighter.y, lighter.z});
+}
+
 }  // namespace ember

@@ -19,4 +19,8 @@ enum class LighterSpot { LeftCorner, Middle, RightCorner };
 /// it does already.
 void move_lighter(LighterParams& lighter, const Vector3& place, bool lit, double now);
 
+/// Adds where the lighter is at `time` [s] to its path: it stays where the path ended until one
+/// `tick` [s] before. What the path says of later times is given up.
+void extend_path(LighterParams& lighter, double time, double tick);
+
 }  // namespace ember

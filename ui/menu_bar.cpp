@@ -23,6 +23,8 @@ bool checked(const Workbench& bench, Action action) {
             return bench.shown.side_by_side;
         case Action::PlaceLighter:
             return bench.shown.placing;
+        case Action::RecordPath:
+            return bench.shown.recording_path;
         case Action::ToggleHelp:
             return bench.shown.help;
         case Action::ToggleInfo:

@@ -90,15 +90,12 @@ bool lighter_rows(Workbench& bench) {
     parent.lighter = of(bench.document().parent.params);
     const LighterParams before = shown.lighter;
     const bool apply = rows_by_key(kLighter, {&shown, &preset, &parent, &defaults});
-    const LighterParams& now = shown.lighter;
-    const bool moved = now.x != before.x || now.y != before.y || now.z != before.z;
-    if (moved) shown.lighter.path.clear();  // put there by hand, it stays there
-    set_lighter(bench.values.params, bench.lighter, shown.lighter);
+    set_lighter(bench.values.params, bench.lighter, bench.with_path(before, shown.lighter));
     return apply;
 }
 
 void lighter_buttons(Workbench& bench) {
-    const float third = button_width(3), quarter = button_width(4);
+    const float third = button_width(3), fifth = button_width(5);
     const auto offer = [&](const char* text, LighterSpot spot) {
         if (!ImGui::Button(text, ImVec2(third, 0))) return;
         const auto place = lighter_below(bench.snapshot().view.sheets.front(), spot);
@@ -110,13 +107,15 @@ void lighter_buttons(Workbench& bench) {
     ImGui::SameLine();
     offer("Right corner", LighterSpot::RightCorner);
     action_button(bench, Action::PlaceLighter, bench.shown.placing ? "Click it###p" : "Place###p",
-                  quarter, bench.shown.placing);
+                  fifth, bench.shown.placing);
     ImGui::SameLine();
-    action_button(bench, Action::LightNow, "Light", quarter);
+    action_button(bench, Action::LightNow, "Light", fifth);
     ImGui::SameLine();
-    action_button(bench, Action::AddLighter, "Add", quarter);
+    action_button(bench, Action::RecordPath, "Path", fifth, bench.shown.recording_path);
     ImGui::SameLine();
-    action_button(bench, Action::RemoveLighter, "Remove", quarter);
+    action_button(bench, Action::AddLighter, "Add", fifth);
+    ImGui::SameLine();
+    action_button(bench, Action::RemoveLighter, "Remove", fifth);
 }
 
 bool everything_else(Workbench& bench, const ParamObjects& sim, const ParamObjects& render) {

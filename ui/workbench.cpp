@@ -202,8 +202,18 @@ LighterParams Workbench::lighter_now(std::size_t number) const {
 }
 
 void Workbench::change_lighter(std::size_t number, const LighterParams& changed) {
-    set_lighter(values.params, number, changed);
+    const bool edited = number == lighter;
+    set_lighter(values.params, number, edited ? with_path(lighter_now(number), changed) : changed);
     apply();
+}
+
+LighterParams Workbench::with_path(const LighterParams& before, LighterParams now) const {
+    if (now.x == before.x && now.y == before.y && now.z == before.z) return now;
+    now.path.clear();
+    if (!shown.recording_path) return now;
+    now.path = before.path;
+    extend_path(now, snapshot_->view.time, snapshot_->timeline.tick_duration);
+    return now;
 }
 
 void Workbench::place_lighter(const Vector3& place) {

@@ -24,8 +24,9 @@ namespace ember {
 struct Shown {
     bool help = false, log = false, browser = false, save_as = false, open_path = false,
          record = false, leaving = false;
-    bool placing = false;    ///< the next click puts the lighter there
-    bool comparing = false;  ///< the key that shows the other slot is held
+    bool placing = false;         ///< the next click puts the lighter there
+    bool recording_path = false;  ///< movements of the edited lighter become its path
+    bool comparing = false;       ///< the key that shows the other slot is held
     bool side_by_side = false;
     std::array<char, 64> filter{};  ///< of the parameters in sight
 };
@@ -99,6 +100,9 @@ class Workbench {
     /// Lighter `number` as it is in the values now.
     [[nodiscard]] LighterParams lighter_now(std::size_t number) const;
     void change_lighter(std::size_t number, const LighterParams& lighter);
+    /// A lighter that was moved by hand, with the path that it has from then on: none, because it
+    /// stays there, or, while paths are recorded, one that ends there now.
+    [[nodiscard]] LighterParams with_path(const LighterParams& before, LighterParams now) const;
     /// Moves the edited lighter there, lit from now on unless it is.
     void place_lighter(const Vector3& place);
     /// What has led to a state, as the text of a take.

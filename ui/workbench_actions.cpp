@@ -258,6 +258,9 @@ void Workbench::act_on_lighter(Action action) {
             const LighterParams l = lighter_now(lighter);
             return place_lighter(lighter_position(l, now));
         }
+        case Action::RecordPath:
+            shown.recording_path = !shown.recording_path;
+            return;
         case Action::AddLighter: {
             LighterParams added = lighter_now(lighter);
             added.x += 0.02;
@@ -265,7 +268,8 @@ void Workbench::act_on_lighter(Action action) {
             if (values.params.lighters.empty()) values.params.lighters.emplace_back();
             values.params.lighters.emplace_back();
             lighter = values.params.lighters.size() - 1;
-            return change_lighter(lighter, added);
+            set_lighter(values.params, lighter, added);
+            return apply();
         }
         case Action::RemoveLighter:
             if (values.params.lighters.size() < 2) {

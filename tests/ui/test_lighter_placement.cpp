@@ -64,5 +64,21 @@ TEST(LighterPlacement, AMovedLighterBurnsFromNowOnUnlessItDoesAlready) {
     EXPECT_DOUBLE_EQ(lighter.x, 0.04);
 }
 
+TEST(LighterPath, HoldsItsPlaceUntilJustBeforeAndForgetsTheFuture) {
+    LighterParams lighter;
+    lighter.x = 1;
+    extend_path(lighter, 2.0, 0.1);
+    lighter.x = 3;
+    extend_path(lighter, 5.0, 0.1);
+    ASSERT_EQ(lighter.path.size(), 3u);
+    EXPECT_DOUBLE_EQ(lighter.path[1][0], 4.9);
+    EXPECT_EQ(lighter.path[1][1], 1);
+    EXPECT_EQ(lighter.path[2][1], 3);
+    lighter.x = 7;
+    extend_path(lighter, 2.05, 0.1);
+    ASSERT_EQ(lighter.path.size(), 2u) << "what came later is given up";
+    EXPECT_EQ(lighter.path[1][1], 7);
+}
+
 }  // namespace
 }  // namespace ember

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bench_rig.h"
+#include "sim/lighter.h"
 
 namespace ember {
 namespace {
@@ -134,6 +135,32 @@ TEST_F(AtTheBench, LightersAreAddedMovedAndRemoved) {
     bench_->act(Action::RemoveLighter);
     frames();
     EXPECT_EQ(bench_->snapshot().view.lighters.size(), 1u);
+}
+
+TEST_F(AtTheBench, MovementsOfALighterBecomeItsPath) {
+    const auto path = [&] { return bench_->lighter_now(0).path; };
+    steps(6);
+    bench_->place_lighter({0.03, 0.14, 0});
+    frames();
+    EXPECT_TRUE(path().empty()) << "moved by hand, it stays there";
+    bench_->act(Action::RecordPath);
+    bench_->place_lighter({0.04, 0.14, 0});
+    frames();
+    steps(30);
+    bench_->place_lighter({0.05, 0.13, 0});
+    frames();
+    bench_->act(Action::RecordPath);
+    ASSERT_EQ(path().size(), 3u) << "there, there until just before, and then here";
+    bench_->act(Action::Restart);
+    frames();
+    const auto x_at = [&](double time) {
+        return lighter_position(bench_->lighter_now(0), time).x();
+    };
+    EXPECT_DOUBLE_EQ(x_at(6.0 / 60), 0.04);
+    EXPECT_DOUBLE_EQ(x_at(30.0 / 60), 0.04);
+    EXPECT_DOUBLE_EQ(x_at(36.0 / 60), 0.05);
+    bench_->place_lighter({0.06, 0.13, 0});
+    EXPECT_TRUE(path().empty());
 }
 
 TEST_F(AtTheBench, ATakeIsWhatWasDoneAndOpensAgain) {
