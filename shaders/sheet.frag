@@ -58,6 +58,8 @@ void main() {
     vec4 fibre = texture(u_fibre, mm / 40.0);
     vec4 coarse = texture(u_fibre, mat2(0.8, 0.6, -0.6, 0.8) * mm / 131.0 + 0.37);
     vec2 wander = vec2(coarse.b, coarse.g) - 0.5;
+    // two periods that share none, so that old ash, which is nothing but this, shows no tile
+    float drift = 0.7 * (fibre.b + texture(u_fibre, mat2(-0.28, 0.96, -0.96, -0.28) * mm / 57.0).b - 1.0);
 
     // torn edges end in fibres
     float torn = to_torn_edge() - 0.15 - 0.8 * fibre.b - 0.5 * fibre.a;
@@ -85,10 +87,10 @@ void main() {
     // a film of ash grows on what stays black, in drifts
     float spread = 0.38 - 0.40 * smoothstep(2.0, 14.0, age);
     float film = smoothstep(spread, spread + 0.5,
-                            0.8 * coarse.g + 0.6 * (fibre.b - 0.5) + 0.3 * (crack.g - 0.5) + 0.1) *
+                            0.8 * coarse.g + 0.6 * drift + 0.3 * (crack.g - 0.5) + 0.1) *
                  smoothstep(0.4, 5.0, age);
     float ash = max(max(eaten_share, 0.8 * film), max(0.8 * lip, 0.7 * edge_ash));
-    float pale = smoothstep(0.2, 6.0, age + 3.0 * (coarse.b - 0.5)) * (0.6 + 0.5 * fibre.b);
+    float pale = smoothstep(0.2, 6.0, age + 3.0 * (coarse.b - 0.5)) * (0.85 + 0.5 * drift);
     // all char greys a little with time
     float dust = 0.9 * smoothstep(1.0, 12.0, age) * (0.5 + 0.8 * fibre.g);
 
