@@ -11,6 +11,7 @@ uniform vec4 u_lights[16];      // flames: xyz [m], w strength
 uniform float u_flame_light;
 
 const vec3 kFlameColour = vec3(1.00, 0.46, 0.13);
+const float kWallOfFlame = 1.8;  // of paper white, as bright as flames themselves
 
 // The backdrop by place in the picture (0 .. 1 from the lower left corner): a pool of light that
 // falls off without a horizon.
@@ -61,7 +62,8 @@ vec2 flame_irradiance(vec3 place, vec3 n, float wrap) {
         float facing = dot(n, to) * inversesqrt(squared);
         sum += u_lights[i].w / squared * max(vec2(facing, -facing) + wrap, 0.0);
     }
-    return sum * (0.03 * u_flame_light / (1.0 + wrap));
+    // flames hide each other: however many, they throw no more than a wall of flame does
+    return u_flame_light * kWallOfFlame * (1.0 - exp(-sum * (0.03 / (1.0 + wrap) / kWallOfFlame)));
 }
 
 // Share of the lamp that reaches `place`, 0 .. 1. Of the paper around the line to the lamp, how much

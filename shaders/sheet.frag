@@ -135,8 +135,8 @@ void main() {
     vec3 halfway = normalize(to_eye + u_key_direction);
     float gloss = mix(0.03, (0.16 + 0.20 * ink) * (1.0 - 0.9 * ash), char_share);
     float fresnel = 0.04 + 0.5 * pow(1.0 - max(dot(n, to_eye), 0.0), 5.0);
-    light += gloss * (u_key * pow(max(dot(n, halfway), 0.0), 22.0) + 2.0 * fresnel * u_sky +
-                      0.12 * kFlameColour * flame.x);
+    light += gloss * (u_key * pow(max(dot(n, halfway), 0.0), 22.0) +
+                      fresnel * (2.0 * u_sky + 0.4 * kFlameColour * flame.x));
 
     // embers: the line where char burns out, and what crawls on along cracks until it winks out
     float hot = smoothstep(350.0, 650.0, v_fields.w);
