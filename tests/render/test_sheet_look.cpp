@@ -114,6 +114,28 @@ double contrast(GlRig& rig, const StagedWorld& staged, double from, double to) {
     return ink > 100 ? sum / ink : 0;
 }
 
+// Luminance of the film's output, 0 .. 1.
+TEST(BurningPaper, HoweverManyFlamesPaperIsNoBrighterThanThemAndCharStaysBlack) {
+    GlRig rig;
+    RenderParams params = head_on();
+    params.look.lighting = LightingPreset::Night;
+    params.look.key_light = 0;
+    params.view.flames = true;  // felt, but not in the way
+    params.look.flame_share = params.look.flame_brightness = params.look.smoke = 0;
+    float last = 0;
+    for (const int particles : {3000, 60000, 240000}) {
+        StagedWorld staged = test::burning_sheet(24, 34, particles);
+        staged.z.assign(staged.z.size(), 0.0);
+        const Picture picture = take(rig, staged, params, 360);
+        const float paper = picture.at(staged, 0.19, 0.8);
+        EXPECT_GT(paper, last) << particles;
+        EXPECT_LT(paper, 0.45f) << particles;
+        EXPECT_LT(picture.at(staged, 0.141, 0.8), 0.010f) << particles;
+        last = paper;
+    }
+    EXPECT_GT(last, 0.3f);
+}
+
 TEST(BurningPaper, PrintStaysLegibleOnCharButFainterThanOnPaper) {
     GlRig rig;
     const StagedWorld staged = flat_sheet(33, 49);
