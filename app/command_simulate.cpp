@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "app/checkpoint.h"
 #include "app/commands.h"
@@ -9,6 +10,7 @@
 #include "app/file_pattern.h"
 #include "app/frame_list.h"
 #include "app/frame_source.h"
+#include "app/hash_log.h"
 #include "app/interrupt.h"
 #include "app/preset_io/atomic_file.h"
 #include "app/progress.h"
@@ -22,7 +24,7 @@ namespace {
 struct SimulateOptions {
     RunOptions run;
     double seconds = -1;  // [s]; negative: the preset's shot
-    std::string stats, state, save, resume, at, progress = "auto";
+    std::string stats, state, save, resume, at, hashes, verify, progress = "auto";
 };
 
 // The times of the states to write; the end unless others are asked for.
@@ -64,15 +66,19 @@ void print_summary(const World& world, const StatsRecorder& stats) {
 // A run while it goes on.
 class Run {
   public:
-    Run(const SimulateOptions& options, const LoadedPreset& preset, World& world, long ticks)
+    Run(const SimulateOptions& options, const LoadedPreset& preset, World& world, long ticks,
+        const std::optional<HashLog>& expected)
         : options_(options),
           preset_(preset),
           world_(world),
           ticks_(ticks),
+          expected_(expected),
+          hashes_(world),
           progress_("ticks", ticks_, Progress::style_of(options.progress, options.run.quiet)),
           source_(world, stats_.observer(), [this](const StepReport& r) { note(r); }) {}
 
     int go(const std::vector<double>& times) {
+        note_hash();
         bool good = true;
         for (std::size_t i = 0; good && i < times.size() && interrupt_signal() == 0; ++i) {
             good = advance_to(times[i]) && write_state(i, times);
@@ -80,6 +86,11 @@ class Run {
         good = good && advance_to(static_cast<double>(ticks_) * world_.tick_duration());
         progress_.finish();
         if (!options_.stats.empty()) write_file(options_.stats, stats_.json(world_, preset_));
+        if (!options_.hashes.empty()) write_file(options_.hashes, hashes_.text());
+        if (!difference_.empty()) {
+            std::fprintf(stderr, "%s\n", difference_.c_str());
+            return kComparisonFailed;
+        }
         if (!good) throw RunError(divergence_text(last_report_));
         if (!options_.run.quiet) print_summary(world_, stats_);
         std::printf("%s\n", labelled_hash(world_).c_str());
@@ -90,7 +101,7 @@ class Run {
     // tick by tick, so that an interrupt acts at once
     bool advance_to(double time) {
         bool good = true;
-        while (good && interrupt_signal() == 0 &&
+        while (good && difference_.empty() && interrupt_signal() == 0 &&
                world_.state().time + world_.tick_duration() < time + 1e-9) {
             good = source_.advance_to(world_.state().time + world_.tick_duration());
         }
@@ -98,7 +109,7 @@ class Run {
     }
 
     bool write_state(std::size_t number, const std::vector<double>& times) {
-        if (interrupt_signal() != 0) return true;
+        if (interrupt_signal() != 0 || !difference_.empty()) return true;
         if (!options_.save.empty()) {
             const FilePattern pattern(options_.save, times.size() > 1);
             save_checkpoint(pattern.name(static_cast<long>(number)), world_, preset_);
@@ -113,23 +124,44 @@ class Run {
 
     void note(const StepReport& report) {
         last_report_ = report;
-        if (report.ok()) stats_.record(world_, report);
+        if (report.ok()) {
+            stats_.record(world_, report);
+            note_hash();
+        }
         progress_.update(static_cast<long>(world_.state().tick));
+    }
+
+    void note_hash() {
+        if (!options_.hashes.empty()) hashes_.record(world_);
+        if (expected_ && difference_.empty()) difference_ = expected_->difference(world_);
     }
 
     const SimulateOptions& options_;
     const LoadedPreset& preset_;
     World& world_;
     long ticks_;
+    const std::optional<HashLog>& expected_;  // by --verify
+    HashLog hashes_;
+    std::string difference_;  // to what is expected, at the first tick where there is one
     Progress progress_;
     StatsRecorder stats_;
     FrameSource source_;
     StepReport last_report_;
 };
 
+// As long as --seconds says, or else the hashes to compare with, or else the preset's shot.
+double seconds_of(const SimulateOptions& options, const LoadedPreset& preset,
+                  const std::optional<HashLog>& expected) {
+    if (options.seconds >= 0) return options.seconds;
+    if (!expected) return preset.render.shot.duration;
+    return static_cast<double>(expected->last_tick()) / preset.params.numerics.tick_rate;
+}
+
 int run_simulate(const SimulateOptions& options) {
     const LoadedPreset preset = load_run(options.run);
-    const double seconds = options.seconds < 0 ? preset.render.shot.duration : options.seconds;
+    std::optional<HashLog> expected;
+    if (!options.verify.empty()) expected.emplace(std::filesystem::path(options.verify));
+    const double seconds = seconds_of(options, preset, expected);
     const std::vector<double> times = state_times(options, seconds);
     // whole ticks, so that the last state and its hash never depend on what is written when
     const auto ticks =
@@ -142,7 +174,7 @@ int run_simulate(const SimulateOptions& options) {
     if (!times.empty() && times.front() + 1e-9 < world.state().time)
         throw InputError("--at: error: a time lies before that of --resume");
     watch_for_interrupts();
-    return Run(options, preset, world, ticks).go(times);
+    return Run(options, preset, world, ticks, expected).go(times);
 }
 
 }  // namespace
@@ -160,6 +192,13 @@ void add_simulate_command(CLI::App& command, Task& task) {
     command.add_option("--save", options->save, "save the simulation, to go on with it: end.state")
         ->type_name("FILE");
     command.add_option("--resume", options->resume, "begin with what --save has saved")
+        ->type_name("FILE");
+    command
+        .add_option("--hashes", options->hashes, "write the state hash of every tick, one a line")
+        ->type_name("FILE");
+    command
+        .add_option("--verify", options->verify,
+                    "compare with what --hashes has written; exit code 3 at the first difference")
         ->type_name("FILE");
     command.add_option("--at", options->at, "when, for --state and --save; default: the end")
         ->type_name("SECONDS");
