@@ -9,7 +9,7 @@
 // `call` with kWidth as the width [doubles] of the processor's vector registers: the same eight
 // lanes in one, two or four of them, so the same bits. As in vectorise.h, the sanitizers' builds
 // have the plain version only. Calls from other files would not be dispatched.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(EMBER_PLAIN) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define EMBER_LANES_CLONE(isa, width, name, parameters, call) \
     __attribute__((target(isa))) void name parameters {       \

@@ -4,13 +4,14 @@
 
 namespace ember {
 
+// EMBER_PLAIN: there are no others, see CMakeLists.txt.
 extern const SpringKernel spring_kernel_baseline;
-#ifdef __x86_64__
+#ifndef EMBER_PLAIN
 extern const SpringKernel spring_kernel_avx2, spring_kernel_avx512, spring_kernel_fast;
 #endif
 
 SpringKernel spring_kernel_of_width(int lanes) {
-#ifdef __x86_64__
+#ifndef EMBER_PLAIN
     if (lanes == 0 && __builtin_cpu_supports("avx512f")) return spring_kernel_fast;
     if (lanes == 8 && __builtin_cpu_supports("avx512f")) return spring_kernel_avx512;
     if (lanes == 4 && __builtin_cpu_supports("avx2")) return spring_kernel_avx2;

@@ -92,21 +92,6 @@ struct SplitForce {
     void operator-=(const SplitForce& f) { all -= f.all, friction -= f.friction; }
 };
 
-#ifdef EMBERLEAF_PLANT_FORCE_ERROR
-// For the test of the energy ledger only: a law that breaks Newton's third by one per cent.
-constexpr double kReaction = 1.01;
-#else
-constexpr double kReaction = 1.0;
-#endif
-
-inline Force reaction(const Force& f) {
-    return {kReaction * f.x, kReaction * f.y, kReaction * f.z};
-}
-
-inline SplitForce reaction(const SplitForce& f) {
-    return {reaction(f.all), reaction(f.friction)};
-}
-
 // Springs from a to b, F = [k (1 - l/L) + d (Δv·Δx)/L²] Δx on a. Adds the power lost, d (Δv·n)².
 inline void pull(const double* constants, const Ends& a, const Ends& b, Doubles& lost, Force& f,
                  Force* part) {
@@ -195,22 +180,22 @@ inline void add_springs(const SpringRow& row, std::ptrdiff_t column, Carried<F>&
 
     pull(k + 5 * kKind, here, ends_at(row, 2, column), lost, f);
     own = f;
-    store_force(row.reaction[2] + column, row.pitch, reaction(f));
+    store_force(row.reaction[2] + column, row.pitch, f);
     pull(k + 4 * kKind, here, ends_at(row, 0, column + 2), lost, f);
     own += f;
-    now.right_2 = reaction(f);
+    now.right_2 = f;
     pull(k + 2 * kKind, here, ends_at(row, 1, column + 1), lost, f);
     own += f;
-    now.below_right = reaction(f);
+    now.below_right = f;
     pull(k + 1 * kKind, here, below, lost, f);
     own += f;
-    down = reaction(f);
+    down = f;
     pull(k, here, right, lost, f);
     own += f;
-    now.right = reaction(f);
+    now.right = f;
     pull(k + 3 * kKind, right, below, lost, f);
     now.right -= f;
-    down += reaction(f);
+    down += f;
 
     own -= shifted<1>(carried.right, now.right);
     own -= shifted<2>(carried.right_2, now.right_2);
