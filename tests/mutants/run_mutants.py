@@ -42,7 +42,7 @@ def run_tests(program, number, tests):
 def solver_verdict(program, m):
     """The test that notices mutant `m`, or why none does: (noticed, text)."""
     code, output = run_tests(program, m["number"], m["tests"])
-    failed = re.search(r"\[  FAILED  \] (\w+\.\w+)", output)
+    failed = re.search(r"\[  FAILED  \] ([\w/]+\.[\w/]+)", output)
     if code is None:
         return False, "the tests do not end"
     if code < 0:

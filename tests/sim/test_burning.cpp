@@ -58,6 +58,22 @@ TEST(Burning, ANodeLosesMassAtTheBurnRateUntilTheResidueIsLeft) {
     }
 }
 
+TEST(Burning, LossesDoNotDependOnTheTick) {
+    Params p = plain(2, 2);
+    const auto gone_after = [&](double dt, int ticks) {
+        Rig rig(p);
+        rig.sheet.phase[4] = Phase::Burning;
+        std::vector<Index> out;
+        double gone = 0;
+        for (int i = 0; i < ticks; ++i)
+            gone += update_phases(p, (i + 1) * dt, dt, nullptr, rig.sheet, out, rig.counters);
+        return gone;
+    };
+    const double expected = p.burning.burn_rate * 1e-4 * 0.5;  // a cell, for half a second
+    EXPECT_NEAR(gone_after(1.0 / 30, 15) / expected, 1.0, 1e-9);
+    EXPECT_NEAR(gone_after(1.0 / 240, 120) / expected, 1.0, 1e-9);
+}
+
 TEST(Burning, HeldNodesDoNotBurn) {
     Params p = plain(2, 2);
     p.sheet.held = HeldEdge::MainStart;

@@ -1,6 +1,9 @@
 // Where the particles of burning paper are born.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "rig.h"
@@ -61,6 +64,30 @@ TEST(Fire, AreaEmissionStartsWhereTheNodeStandsForTheSheet) {
         EXPECT_GE(offset.x(), 0);
         EXPECT_GE(offset.z(), 0);
     }
+}
+
+TEST(Fire, AnotherSeedIsAnotherFireOfTheSameRate) {
+    Params p = still_fire();
+    p.fire.emission = 1e8;
+    const Rig rig(p);
+    LighterParams lighter;
+    lighter.rate = 2000;
+    const auto fire_of = [&](std::uint64_t seed) {
+        FireState fire;
+        StepCounters counters;
+        advance_fire(p, {lighter}, seed, 0, 0.4, {rig.sheet}, {&rig.lattice}, {nullptr}, fire,
+                     counters);
+        return fire;
+    };
+    const FireState one = fire_of(1), again = fire_of(1), other = fire_of(2);
+    EXPECT_EQ(one.birth, again.birth);
+    EXPECT_EQ(one.position.x, again.position.x);
+    ASSERT_GT(one.size(), 100u);
+    EXPECT_NEAR(static_cast<double>(other.size()), static_cast<double>(one.size()),
+                6 * std::sqrt(static_cast<double>(one.size())));
+    std::vector<double> shared;
+    std::ranges::set_intersection(one.birth, other.birth, std::back_inserter(shared));
+    EXPECT_TRUE(shared.empty()) << "another seed has the same " << shared.size() << " births";
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "rig.h"
+#include "sim/relief.h"
 #include "sim/topology.h"
 
 namespace ember {
@@ -71,6 +73,29 @@ TEST(Fracture, TheMiddleNodeMustBeBurntUnlessThePaperIsTakenByTheLetter) {
             EXPECT_EQ(break_strip(rig, 0), 0);
         } else {
             EXPECT_GT(break_strip(rig, 0), 0);
+        }
+    }
+}
+
+// At cuts springs are in a list of their own; all others are taken out here.
+TEST(Fracture, TheSameIsTrueOfSpringsAtCuts) {
+    for (const bool middle : {false, true}) {
+        Rig rig = pulled_strip(0.1);
+        rig.sheet.phase[rig.site(0, 3)] = middle ? Phase::BurntOut : Phase::Burning;
+        std::fill(rig.network.weight.begin(), rig.network.weight.end(), 0.0);
+        const Index a = rig.lattice.site(0, 2), b = rig.lattice.site(0, 4);
+        rig.network.extra = {{a, b, rig.lattice.slot(Slot::BendMain, a), 1.0}};
+        EXPECT_EQ(break_strip(rig, 0) > 0, middle);
+    }
+}
+
+TEST(Relief, IsADiscAroundTheCut) {
+    Rig rig(plain(10, 10));  // cells of 10 mm
+    relieve(rig.lattice, rig.lattice.site(5, 5), 0.025, 7.0, rig.sheet);
+    for (Index r = 0; r <= 10; ++r) {
+        for (Index c = 0; c <= 10; ++c) {
+            const bool inside = (r - 5) * (r - 5) + (c - 5) * (c - 5) <= 6;
+            EXPECT_EQ(rig.sheet.relief_until[rig.site(r, c)], inside ? 7.0 : 0.0) << r << ", " << c;
         }
     }
 }

@@ -157,6 +157,23 @@ TEST(Heat, ALossIsTheExactExponential) {
     EXPECT_NEAR(rig.sheet.temperature[0], kAmbient + 500.0 * std::exp(-0.7 * rate), 1e-9);
 }
 
+// Both faces of a hot sheet radiate ε σ T^4 and receive ε σ T_ambient^4.
+TEST(Heat, RadiationFollowsStefanAndBoltzmann) {
+    Params params = plain(1, 1);
+    params.heat.convection = 0;
+    params.heat.emissivity = 0.9;
+    Rig rig(params);
+    const double hot = 900.0, dt = 1e-6;
+    rig.sheet.temperature.assign(4, hot);
+    HeatLedger ledger;
+    StepCounters counters;
+    exchange_heat(rig.sheet, params, {}, dt, ledger, counters);
+    const double power =
+        2 * 0.9 * 5.670374419e-8 * (std::pow(hot, 4) - std::pow(kAmbient, 4));  // [W/m^2]
+    const double rate = power / (params.paper.specific_heat * params.paper.grammage);
+    EXPECT_NEAR((hot - rig.sheet.temperature[0]) / (rate * dt), 1.0, 1e-6);
+}
+
 // The sheet is cut from edge to edge along the cross direction; only the left half is warm.
 void expect_a_tear_conducts_nothing(HeatSolverKind solver) {
     Rig rig(plain(4, 8));

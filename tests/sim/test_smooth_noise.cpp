@@ -27,6 +27,15 @@ TEST(SmoothNoise, IsBoundedContinuousAndRepeatsAfterItsPeriod) {
     EXPECT_GT(most, 0.8);
 }
 
+TEST(SmoothNoise, IsAnotherForAnotherSeedAndAnotherStream) {
+    const SmoothNoise noise{3, RandomUse::Waviness, 0, 12, 0},
+        seed{4, RandomUse::Waviness, 0, 12, 0}, stream{3, RandomUse::Waviness, 1, 12, 0};
+    for (const auto& [x, y] : {std::pair(0.5, 0.5), {3.1, 2.2}, {7.9, 4.4}}) {
+        EXPECT_NE(noise.at(x, y), seed.at(x, y));
+        EXPECT_NE(noise.at(x, y), stream.at(x, y));
+    }
+}
+
 TEST(SmoothNoise, ATubesWavinessClosesAndIsNoMirrorImage) {
     Params p;
     p.sheet.shape = SheetShape::Cylinder;

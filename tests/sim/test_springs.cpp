@@ -97,6 +97,15 @@ TEST(Lattice, EveryFibreHasItsOwnStiffnessWithinTenPerCent) {
             EXPECT_NEAR(k(kind, r, 0) / mean(kind), 1.0, 0.1);
     }
     EXPECT_EQ(k(Slot::BendMain, 2, 0), k(Slot::BendMain, 3, 0));
+    Params many = plain(400, 1);  // uniform: mean 1, standard deviation 0.1/sqrt(3)
+    many.springs.variation = 0.1;
+    const Rig varied(many), even(plain(400, 1));
+    double sum = 0;
+    for (Index r = 0; r <= 400; ++r) {
+        const auto slot = static_cast<std::size_t>(varied.lattice.slot(Slot::Main, 2 * r));
+        sum += varied.lattice.stiffness[slot] / even.lattice.stiffness[slot];
+    }
+    EXPECT_NEAR(sum / 401, 1.0, 4 * 0.058 / 20);
     p.springs.variation_pattern = VariationPattern::PerSpring;
     Rig each(p);
     EXPECT_NE(each.lattice.stiffness[0], each.lattice.stiffness[1]);
@@ -227,6 +236,24 @@ TEST(Springs, AFreeSheetKeepsItsMomentum) {
     EXPECT_LE((after.first - before.first).norm() / scale, 1e-12);
     // exact for the forces, of the order of the method for the motion
     EXPECT_LE((after.second - before.second).norm() / before.second.norm(), 1e-6);
+}
+
+TEST(Springs, AreAsWeakAsTheWeakerOfTheirEnds) {
+    Rig rig(plain(6, 6));
+    const std::vector<double> whole = rig.network.stiffness;
+    rig.sheet.mass[rig.site(3, 3)] *= 0.5;
+    rig.sheet.mass[rig.site(3, 4)] *= 0.25;
+    rig.refresh();
+    const auto left = [&](Slot kind, Index r, Index c) {
+        const auto s = static_cast<std::size_t>(rig.lattice.slot(kind, rig.lattice.site(r, c)));
+        return rig.network.stiffness[s] / whole[s];
+    };
+    EXPECT_EQ(left(Slot::Main, 3, 1), 1.0);
+    EXPECT_EQ(left(Slot::Main, 3, 2), 0.5) << "the second end has burnt";
+    EXPECT_EQ(left(Slot::Cross, 3, 3), 0.5) << "the first end has burnt";
+    EXPECT_EQ(left(Slot::Main, 3, 3), 0.25) << "the second end has burnt more";
+    EXPECT_EQ(left(Slot::BendCross, 1, 3), 0.5);
+    EXPECT_EQ(left(Slot::DiagDown, 3, 4), 0.25);
 }
 
 // A sheet stretched by 0.2 % along its main direction: strain times stiffness over the paper that a

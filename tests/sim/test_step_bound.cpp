@@ -300,5 +300,30 @@ TEST(StepBound, AtRestOnThePapersLatticeIsWithinTwelvePerCentOfTheTruth) {
     EXPECT_LE(bound, 1.12 * truth);
 }
 
+// The largest |λ| of a leapfrog step for x'' = -ω² x - γ x', whose friction is taken at the
+// velocity u, by `lead` ahead of the last one: see Leap.
+double growth_of_leaps(const FastestMotion& motion, double h, double lead) {
+    const auto step = [&](const Eigen::Vector3d& xwu) -> Eigen::Vector3d {
+        const double a = -motion.omega * motion.omega * xwu[0] - motion.gamma * xwu[2];
+        const double w = xwu[1] + h * a;
+        return {xwu[0] + h * w, w, w + lead * a};
+    };
+    Eigen::Matrix3d matrix;
+    matrix << step({1, 0, 0}), step({0, 1, 0}), step({0, 0, 1});
+    return matrix.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+TEST(StepBound, OfLeapfrogIsWhereASingleOscillatorBeginsToGrow) {
+    for (const FastestMotion& motion :
+         std::vector<FastestMotion>{{1.0, 0.0}, {1.0, 0.3}, {0.7, 2.0}, {0.1, 5.0}, {40.0, 1.0}}) {
+        const double verlet = stable_step(IntegratorKind::VelocityVerlet, motion);
+        EXPECT_LE(growth_of_leaps(motion, 0.999 * verlet, 0.4995 * verlet), 1.0 + 1e-12);
+        EXPECT_GT(growth_of_leaps(motion, 1.001 * verlet, 0.5005 * verlet), 1.0 + 1e-6);
+        const double euler = stable_step(IntegratorKind::SemiImplicitEuler, motion);
+        EXPECT_LE(growth_of_leaps(motion, 0.999 * euler, 0.0), 1.0 + 1e-12);
+        EXPECT_GT(growth_of_leaps(motion, 1.001 * euler, 0.0), 1.0 + 1e-6);
+    }
+}
+
 }  // namespace
 }  // namespace ember
