@@ -12,7 +12,7 @@ target_compile_options(ember_options INTERFACE
     # value, and without these two the force loops are not vectorised.
     -fno-math-errno -fno-trapping-math
     # GCC 12 sees overlaps in std::string's operator+ that are not there (its bug 105651)
-    -Wno-restrict
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion)
 if(EMBERLEAF_WARNINGS_AS_ERRORS)
     target_compile_options(ember_options INTERFACE -Werror)

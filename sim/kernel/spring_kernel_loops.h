@@ -122,11 +122,15 @@ inline void pull(const double* constants, const Ends& a, const Ends& b, Doubles&
 // vector before, and the first ones of this.
 template <int kColumns>
 inline Doubles shifted(const Doubles& before, const Doubles& here) {
-    using Lanes [[gnu::vector_size(8 * EMBER_LANES)]] = long long;
-    Lanes from{};
-    for (int lane = 0; lane < EMBER_LANES; ++lane)
-        from[lane] = EMBER_LANES - kColumns + lane;
-    return __builtin_shuffle(before, here, from);
+    constexpr int k = EMBER_LANES - kColumns;
+#if EMBER_LANES == 8
+    return __builtin_shufflevector(before, here, k, k + 1, k + 2, k + 3, k + 4, k + 5, k + 6,
+                                   k + 7);
+#elif EMBER_LANES == 4
+    return __builtin_shufflevector(before, here, k, k + 1, k + 2, k + 3);
+#else
+    return __builtin_shufflevector(before, here, k, k + 1);
+#endif
 }
 
 template <int kColumns>

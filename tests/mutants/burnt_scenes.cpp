@@ -89,13 +89,19 @@ std::vector<BurntScene> burnt_scenes() {
                                    {"back", middle, {}, letter.render()},
                                    {"transparent", middle, {}, letter.render()},
                                    {"two sheets", sheets.at(150), {}, sheets.render()},
-                                   {"close", middle, {}, letter.render()}};
+                                   {"close", middle, {}, letter.render()},
+                                   {"from below", early, {}, letter.render()}};
     scenes[2].params.look.lighting = LightingPreset::Night;
     scenes[2].params.look.exposure = 1.4;
     scenes[3].params.camera.azimuth += 3.141592653589793;
+    for (const std::size_t many : {2u, 3u})
+        scenes[many].params.look.sparks = 20.0;  // few as they are, none may be seen otherwise
     scenes[4].params.view.transparent = true;
-    look_close(early->lighters_at(early->state().time)[0].position, 4.0, scenes[1].params.camera);
-    look_close(burning_place(*middle), 10.0, scenes[6].params.camera);
+    look_close(early->lighters_at(early->state().time)[0].position, 6.0, scenes[1].params.camera);
+    look_close(burning_place(*middle), 20.0, scenes[6].params.camera);
+    // the lighter mirrors the lamp
+    scenes[7].params.camera = scenes[1].params.camera;
+    scenes[7].params.camera.elevation = -0.7;
     add_views(scenes[0], scenes);
     return scenes;
 }

@@ -93,6 +93,17 @@ def try_renderer(program, mutants, rows):
     return unnoticed + (1 if done.returncode != 0 else 0)
 
 
+def check_docs(mutants):
+    """Whether docs/MUTANTS.md has a line for every mutant and for no other; says what it lacks."""
+    text = (ROOT / "docs" / "MUTANTS.md").read_text()
+    lines = {f"| {m['number']} | `{m['file']}` | {m['fault']} |" for m in mutants}
+    stale = sorted(line for line in lines if line not in text)
+    stale += [] if len(re.findall(r"^\| \d+ \|", text, re.MULTILINE)) == len(lines) else ["too many"]
+    for line in stale:
+        print(f"docs/MUTANTS.md is out of date ({line}); run tests/mutants/run_mutants.py --docs")
+    return len(stale)
+
+
 def write_docs(solver, renderer):
     close = sum("**-**" not in row for row in renderer)
     caught = sum("**" not in row for row in solver)
@@ -135,7 +146,7 @@ and the worst block [levels] are the most of the pictures drawn until both had n
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("numbers", nargs="*", type=int)
-    parser.add_argument("--docs", action="store_true")
+    parser.add_argument("--docs", action="store_true", help="write docs/MUTANTS.md")
     parser.add_argument("--every", type=int, help="of the solver's; none of the renderer's")
     parser.add_argument("--build", default=str(ROOT / "build" / "dev" / "tests" / "mutants"),
                         help="where the programs are")
@@ -150,6 +161,8 @@ def main():
     unnoticed += try_renderer(build / "render_mutated", renderer, renderer_rows) if renderer else 0
     if options.docs:
         write_docs(solver_rows, renderer_rows)
+    elif options.every and check_docs(table("solver.toml") + table("render.toml")):
+        return 1
     print(f"{len(solver) + len(renderer)} faults, {unnoticed} unnoticed")
     return 1 if unnoticed else 0
 

@@ -78,8 +78,12 @@ Distance distance(const Image& a, const Image& b) {
 class Gallery {
   public:
     Gallery() {
-        for (const test::BurntScene& scene : scenes_)
+        const char* keep = std::getenv("EMBERLEAF_KEEP_SCENES");  // a folder, to look at them
+        for (const test::BurntScene& scene : scenes_) {
             expected_.push_back(draw(scene));
+            if (keep != nullptr)
+                write_png(fs::path(keep) / (scene.name + ".png"), expected_.back());
+        }
     }
 
     // Draws scene after scene with mutant `number`, until both tiers have noticed it.
