@@ -3,7 +3,7 @@
 tick.
 
     tests/determinism/run_matrix.py                 the whole matrix: builds below build/determinism
-    tests/determinism/run_matrix.py --build gcc-O2 --build clang-O2 --preset paper/corner --ticks 300
+    tests/determinism/run_matrix.py --build gcc-O2 --build clang-O2 --ticks 300 --runs 1
     tests/determinism/run_matrix.py --binary build/dev/emberleaf --threads 1,2 --runs 1
 
 The first run of a preset is what the others are compared with. Prints a line for every case; ends
@@ -18,17 +18,19 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-# What is not the simulation is compiled in the quickest way, and once per compiler if ccache is used.
+# What is not the simulation is compiled in the quickest way.
 BUILDS = {
     "gcc-O2": {"sim": "-O2"},
     "gcc-O0": {"sim": "-O0"},
     "gcc-O3": {"sim": "-O3"},
     "gcc-O2-plain": {"sim": "-O2", "more": ["-DEMBERLEAF_DISPATCH=OFF"]},  # no AVX, no FMA
-    "clang-O2": {"sim": "-O2", "more": ["-DCMAKE_CXX_COMPILER=clang++", "-DCMAKE_C_COMPILER=clang"]},
+    "clang-O2": {"sim": "-O2",
+                 "more": ["-DCMAKE_CXX_COMPILER=clang++", "-DCMAKE_C_COMPILER=clang"]},
     "gcc-asan": {"sim": "-O1", "more": ["-DEMBERLEAF_SANITIZE=address,undefined"]},
 }
 
-PRESETS = ["paper/corner", "paper/stack", "real/office", "real/cigarette", "scenes/leaf", "bench/swing"]
+PRESETS = ["paper/corner", "paper/stack", "real/office", "real/cigarette", "scenes/leaf",
+           "bench/swing"]
 
 
 def build(name):
@@ -61,7 +63,8 @@ def simulate(binary, preset, ticks, threads, file, settings):
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           env=environment)
     if done.returncode != 0:
-        sys.stderr.write(f"{' '.join(map(str, command))}\nexit code {done.returncode}\n{done.stdout}")
+        words = " ".join(map(str, command))
+        sys.stderr.write(f"{words}\nexit code {done.returncode}\n{done.stdout}")
         sys.exit(2)
     return file.read_text().splitlines()
 
@@ -75,7 +78,8 @@ def difference(expected, found):
 
 
 def read_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--build", action="append", choices=BUILDS, help="default: all")
     parser.add_argument("--binary", help="this program instead of builds")
     parser.add_argument("--preset", action="append", help="default: " + ", ".join(PRESETS))

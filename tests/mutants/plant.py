@@ -59,7 +59,7 @@ def switched(m):
 
 
 def planted(name, mutants):
-    """The text of source `name` with all of its faults, last one first so that places stay valid."""
+    """The text of source `name` with all of its faults, last first, so places stay valid."""
     text = (ROOT / name).read_text()
     last = len(text)
     for m in sorted(mutants, key=lambda m: m["place"], reverse=True):
@@ -71,11 +71,12 @@ def planted(name, mutants):
 
 
 def including(headers):
-    """Files of the folders of `headers` that include one of them, directly or not, and themselves."""
+    """The `headers`, and files of their folders that include one of them, directly or not."""
     found = set(headers)
     folders = {pathlib.Path(h).parts[0] for h in headers}
     files = [p for f in folders for p in sorted((ROOT / f).rglob("*")) if p.suffix in CODE]
-    includes = {str(p.relative_to(ROOT)): re.findall(r'#include "([^"]+)"', p.read_text()) for p in files}
+    includes = {str(p.relative_to(ROOT)): re.findall(r'#include "([^"]+)"', p.read_text())
+                for p in files}
     grown = True
     while grown:
         more = {name for name, of in includes.items() if found.intersection(of)} - found
@@ -87,7 +88,8 @@ def including(headers):
 def copies(mutants):
     """Name of every file that needs a copy, with its mutants."""
     code = [m for m in mutants if m["file"].endswith(CODE)]
-    names = {m["file"] for m in code} | including({m["file"] for m in code if m["file"].endswith(".h")})
+    names = {m["file"] for m in code}
+    names |= including({name for name in names if name.endswith(".h")})
     return {name: [m for m in code if m["file"] == name] for name in sorted(names)}
 
 
@@ -106,7 +108,8 @@ def write(file, text):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("table")
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--list", action="store_true")
@@ -121,7 +124,8 @@ def main():
         write(options.into / name, planted(name, of))
     for m in mutants:
         if not m["file"].endswith(CODE):
-            write(options.into / "shaders" / str(m["number"]) / pathlib.Path(m["file"]).name, replaced(m))
+            folder = options.into / "shaders" / str(m["number"])
+            write(folder / pathlib.Path(m["file"]).name, replaced(m))
     write(options.into / "mutants.txt", "".join(f"{m['number']} {m['fault']}\n" for m in mutants))
 
 

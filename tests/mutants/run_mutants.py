@@ -68,7 +68,8 @@ def try_solver(program, mutants, rows):
         unnoticed += 0 if noticed else 1
         print(f"{m['number']:4} {'noticed by' if noticed else 'UNNOTICED:'} {text} "
               f"({time.monotonic() - start:.1f} s): {m['fault']}", flush=True)
-        rows.append(f"| {m['number']} | `{m['file']}` | {m['fault']} | {text if noticed else '**' + text + '**'} |")
+        by = text if noticed else f"**{text}**"
+        rows.append(f"| {m['number']} | `{m['file']}` | {m['fault']} | {by} |")
     return unnoticed
 
 
@@ -76,7 +77,8 @@ def try_renderer(program, mutants, rows):
     """The same for mutants of the renderer."""
     unnoticed = 0
     only = {} if len(mutants) != 1 else {"EMBERLEAF_MUTANT": str(mutants[0]["number"])}
-    done = subprocess.run([program], env=dict(os.environ, **only), stdout=subprocess.PIPE, text=True)
+    done = subprocess.run([program], env=dict(os.environ, **only), stdout=subprocess.PIPE,
+                          text=True)
     lines = dict(re.findall(r"^mutant (\d+) (.*)$", done.stdout, re.MULTILINE))
     wanted = [m for m in mutants if str(m["number"]) in lines]
     if len(wanted) != len(mutants):
@@ -98,7 +100,8 @@ def check_docs(mutants):
     text = (ROOT / "docs" / "MUTANTS.md").read_text()
     lines = {f"| {m['number']} | `{m['file']}` | {m['fault']} |" for m in mutants}
     stale = sorted(line for line in lines if line not in text)
-    stale += [] if len(re.findall(r"^\| \d+ \|", text, re.MULTILINE)) == len(lines) else ["too many"]
+    if len(re.findall(r"^\| \d+ \|", text, re.MULTILINE)) != len(lines):
+        stale.append("another number of lines")
     for line in stale:
         print(f"docs/MUTANTS.md is out of date ({line}); run tests/mutants/run_mutants.py --docs")
     return len(stale)
@@ -144,7 +147,8 @@ and the worst block [levels] are the most of the pictures drawn until both had n
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("numbers", nargs="*", type=int)
     parser.add_argument("--docs", action="store_true", help="write docs/MUTANTS.md")
     parser.add_argument("--every", type=int, help="of the solver's; none of the renderer's")
@@ -153,7 +157,8 @@ def main():
     options = parser.parse_args()
     solver, renderer = table("solver.toml"), table("render.toml")
     if options.numbers:
-        solver, renderer = ([m for m in all if m["number"] in options.numbers] for all in (solver, renderer))
+        solver = [m for m in solver if m["number"] in options.numbers]
+        renderer = [m for m in renderer if m["number"] in options.numbers]
     if options.every:
         solver, renderer = solver[::options.every], []
     build, solver_rows, renderer_rows = pathlib.Path(options.build), [], []
