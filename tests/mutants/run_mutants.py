@@ -3,7 +3,7 @@
 
     tests/mutants/run_mutants.py --docs         all of them; writes docs/MUTANTS.md
     tests/mutants/run_mutants.py 11 24 103      these, by their numbers
-    tests/mutants/run_mutants.py --every 6      every sixth of the solver's, as ./test does
+    tests/mutants/run_mutants.py --solver       the solver's, as ./test does
 
 Faults of the solver are looked for by the tests that the table names for each, faults of the
 renderer in pictures (test_render_mutants.cpp). Ends with exit code 1 when one goes unnoticed. The
@@ -115,8 +115,8 @@ def write_docs(solver, renderer):
 What would the tests notice? Faults are planted in a build of their own, one is switched on at a
 time, and the tests have to fail. Nothing of this is in the program: `tests/mutants/plant.py` makes
 copies of the sources from tables of faults, `tests/mutants/solver.toml` and
-`tests/mutants/render.toml`, and refuses when a table no longer fits the sources. `./test` runs all
-faults of the renderer and some of the solver; all of them, and this page:
+`tests/mutants/render.toml`, and refuses when a table no longer fits the sources. `./test` tries all
+of them. By hand, and this page:
 
     cmake --build --preset dev --target sim_mutated render_mutated
     tests/mutants/run_mutants.py --docs
@@ -151,7 +151,8 @@ def main():
                                      formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("numbers", nargs="*", type=int)
     parser.add_argument("--docs", action="store_true", help="write docs/MUTANTS.md")
-    parser.add_argument("--every", type=int, help="of the solver's; none of the renderer's")
+    parser.add_argument("--solver", action="store_true",
+                        help="the solver's alone; and look whether docs/MUTANTS.md is up to date")
     parser.add_argument("--build", default=str(ROOT / "build" / "dev" / "tests" / "mutants"),
                         help="where the programs are")
     options = parser.parse_args()
@@ -159,14 +160,14 @@ def main():
     if options.numbers:
         solver = [m for m in solver if m["number"] in options.numbers]
         renderer = [m for m in renderer if m["number"] in options.numbers]
-    if options.every:
-        solver, renderer = solver[::options.every], []
+    if options.solver:
+        renderer = []
     build, solver_rows, renderer_rows = pathlib.Path(options.build), [], []
     unnoticed = try_solver(build / "sim_mutated", solver, solver_rows) if solver else 0
     unnoticed += try_renderer(build / "render_mutated", renderer, renderer_rows) if renderer else 0
     if options.docs:
         write_docs(solver_rows, renderer_rows)
-    elif options.every and check_docs(table("solver.toml") + table("render.toml")):
+    elif options.solver and check_docs(table("solver.toml") + table("render.toml")):
         return 1
     print(f"{len(solver) + len(renderer)} faults, {unnoticed} unnoticed")
     return 1 if unnoticed else 0
