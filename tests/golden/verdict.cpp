@@ -55,6 +55,15 @@ std::string renderer_text(const ImageDifference& d, const std::string& why) {
 
 }  // namespace
 
+DifferenceLimits close_limits(const Scene& scene) {
+    for (const std::string& word : scene.words) {
+        for (const char* lines :
+             {"view.mode=lattice", "view.mode=stiffness", "view.wireframe=true"})
+            if (word == lines) return kCloseLineLimits;
+    }
+    return kCloseLimits;
+}
+
 Verdict judge(const Scene& scene, const Drawn& drawn, const Golden* golden, const Image* expected) {
     Verdict verdict;
     if (expected != nullptr) verdict.difference = compare(*expected, drawn.image);
@@ -76,7 +85,7 @@ Verdict judge(const Scene& scene, const Drawn& drawn, const Golden* golden, cons
         verdict.text = "exact";
         return verdict;
     }
-    const std::string why = excess(verdict.difference, kCloseLimits);
+    const std::string why = excess(verdict.difference, close_limits(scene));
     if (!approved_here && why.empty()) {
         verdict.outcome = Outcome::Close;
         verdict.text = "TIER 2 ONLY: close, not exact (" + renderer_text(verdict.difference, "") +

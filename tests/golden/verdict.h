@@ -17,7 +17,7 @@ struct Drawn {
 
 enum class Outcome {
     Exact,     ///< tier 1: an approved picture, to the bit
-    Close,     ///< tier 2: in an environment without an approved picture, within kCloseLimits
+    Close,     ///< tier 2: in an environment without an approved picture, within close_limits
     Missing,   ///< there is no golden
     Solver,    ///< the state is another, so that its picture says nothing about the renderer
     Renderer,  ///< the state is the same and the picture is not
@@ -37,8 +37,11 @@ struct Verdict {
     [[nodiscard]] bool good() const { return looks_right() && more_work.empty(); }
 };
 
+/// What tier 2 takes for the same picture.
+[[nodiscard]] DifferenceLimits close_limits(const Scene& scene);
+
 /// `golden` and `expected` may be null. State first, then pixels: by hash where the environment is
-/// approved, and only there; else by hash or, failing that, by kCloseLimits.
+/// approved, and only there; else by hash or, failing that, by close_limits.
 [[nodiscard]] Verdict judge(const Scene& scene, const Drawn& drawn, const Golden* golden,
                             const Image* expected);
 
