@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "app/version.h"
 #include "golden/runner.h"
 
 namespace ember::golden {
@@ -21,7 +20,7 @@ struct Arguments {
                          std::filesystem::path(kSource) / "tests/golden/approved",
                          "golden_failures.html", Rasteriser::Pinned};
     bool update = false;
-    std::string reason;
+    std::string reason, commit;
 };
 
 Arguments read(int count, char** words) {
@@ -55,7 +54,7 @@ class SceneTest : public testing::Test {
 
     void TestBody() override {
         if (arguments_.update) {
-            if (runner_.update(scene_, arguments_.reason, kVersion))
+            if (runner_.update(scene_, arguments_.reason, arguments_.commit))
                 std::cout << "approved: " << scene_.full_name() << '\n';
             return;
         }
@@ -78,11 +77,12 @@ class SceneTest : public testing::Test {
 };
 
 int run(int count, char** words) {
-    const Arguments arguments = read(count, words);
+    Arguments arguments = read(count, words);
     if (arguments.update) {
         const std::string refusal =
             update_refusal(kSource, arguments.runner.approved, std::getenv("CI"), arguments.reason);
         if (!refusal.empty()) throw std::runtime_error(refusal);
+        arguments.commit = present_commit(kSource);
     }
     Runner runner(arguments.runner);
     for (const Scene& scene :

@@ -102,6 +102,16 @@ bool Runner::update(const Scene& scene, const std::string& reason, const std::st
     return true;
 }
 
+std::string present_commit(const std::filesystem::path& repository) {
+    int status = 0;
+    std::string commit =
+        output_of("git -C '" + repository.string() + "' rev-parse --short=9 HEAD", status);
+    if (status != 0) throw std::runtime_error("git: " + commit);
+    while (!commit.empty() && commit.back() == '\n')
+        commit.pop_back();
+    return commit;
+}
+
 std::string update_refusal(const std::filesystem::path& repository,
                            const std::filesystem::path& approved, const char* ci,
                            const std::string& reason) {

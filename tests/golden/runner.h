@@ -39,6 +39,9 @@ class Runner {
     std::vector<ReportEntry> failures_;
 };
 
+/// The commit that `repository` is at. Throws std::runtime_error.
+[[nodiscard]] std::string present_commit(const std::filesystem::path& repository);
+
 /// Why goldens must not be updated now; empty when they may. They may not in continuous
 /// integration (`ci`, the variable CI, is set and not "false"), without a reason, and where
 /// `repository` holds changes that are not committed, other than below `approved`.
