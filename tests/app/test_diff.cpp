@@ -103,7 +103,9 @@ TEST_F(Diff, FoldersAreComparedByNameAndNothingMayBeMissing) {
 // Every key of `json`, those within included.
 void expect_documented(const Json& json, const std::string& page) {
     for (const auto& [key, value] : json.items()) {
-        if (json.is_object()) EXPECT_NE(page.find('"' + key + "\":"), std::string::npos) << key;
+        if (json.is_object()) {
+            EXPECT_NE(page.find('"' + key + "\":"), std::string::npos) << key;
+        }
         if (value.is_structured()) expect_documented(value, page);
     }
 }

@@ -43,7 +43,7 @@ class Installed : public testing::Test {
         folder_.write("usr/bin/emberleaf", program);
     }
     // What a shell says in an empty folder, where emberleaf is the installed one.
-    [[nodiscard]] std::string say(const std::string& script) const {
+    std::string say(const std::string& script) const {
         fs::create_directories(folder_ / "here");
         folder_.write("script.sh", script);
         return expect_good("cd '" + (folder_ / "here").string() + "' && env -i HOME=/ PATH='" +
