@@ -93,7 +93,7 @@ class PictureStage final : public Stage {
         drawn.work.emplace_back("render.fragments", fragments.end());
         const PassCounters after = renderer_->counters();
         drawn.work.emplace_back("render.passes", passes_of(after) - passes_of(before));
-        drawn.work.emplace_back("render.uploads", after.uploads - before.uploads);
+        // not uploads: they depend on what was drawn before
         drawn.environment = present_environment(renderer_->description());
         if (const GLenum error = glGetError(); error != GL_NO_ERROR)
             throw std::runtime_error("OpenGL error " + std::to_string(error) + " in a frame");
