@@ -40,6 +40,10 @@ constexpr Example kShow[] = {
     {"emberleaf show out/frame_0042.png", "how a picture was made"},
     {"emberleaf show out/frame_0042.png --preset > mine.toml", "its preset"},
 };
+constexpr Example kDiff[] = {
+    {"emberleaf diff golden new --junit diff.xml --html diff.html", "two folders, in CI"},
+    {"emberleaf diff a.png b.png --fail 4 --fail-percent 1", "as idiff would"},
+};
 constexpr Example kCheck[] = {{"emberleaf check mine.toml", "every problem, where it stands"}};
 constexpr Example kParams[] = {{"emberleaf params | less", "keys, defaults, ranges, meaning"}};
 constexpr Example kBench[] = {{"emberleaf bench stages paper/corner", "time per stage"}};
@@ -56,6 +60,7 @@ constexpr CommandRow kRows[] = {
     {"export", "write moving geometry for other programs", add_export_command, kExport},
     {"sweep", "burn many variants, into a contact sheet and a table", add_sweep_command, kSweep},
     {"show", "say how a picture was made", add_show_command, kShow},
+    {"diff", "compare pictures; ends with 3 when they differ", add_diff_command, kDiff},
     {"check", "say everything that is wrong with presets", add_check_command, kCheck},
     {"presets", "list the built-in presets", add_presets_command, {}},
     {"params", "list the parameters", add_params_command, kParams},

@@ -41,6 +41,7 @@ void add_simulate_command(CLI::App& command, Task& task);
 void add_export_command(CLI::App& command, Task& task);
 void add_sweep_command(CLI::App& command, Task& task);
 void add_show_command(CLI::App& command, Task& task);
+void add_diff_command(CLI::App& command, Task& task);
 void add_check_command(CLI::App& command, Task& task);
 void add_bench_command(CLI::App& command, Task& task);
 void add_presets_command(CLI::App& command, Task& task);

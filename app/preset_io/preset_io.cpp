@@ -262,10 +262,15 @@ std::filesystem::path find_preset(const std::string& name, const std::filesystem
 }
 
 std::vector<std::filesystem::path> preset_folders() {
-    std::vector<std::filesystem::path> folders{EMBERLEAF_PRESET_FOLDER};
+    // beside the program first: an installed one must not depend on where it was built
+    std::vector<std::filesystem::path> folders;
     std::error_code error;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-    if (!error) folders.push_back(program.parent_path() / "../share/emberleaf/presets");
+    if (!error) {
+        const auto beside = program.parent_path() / "../share/emberleaf/presets";
+        folders.push_back(beside.lexically_normal());
+    }
+    folders.emplace_back(EMBERLEAF_PRESET_FOLDER);
     return folders;
 }
 
