@@ -6,6 +6,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "app/preset_io/own_folder.h"
 #include "app/preset_io/param_target.h"
 #include "app/preset_io/parameter_value.h"
 #include "app/preset_io/png_text.h"
@@ -115,6 +116,12 @@ class Reader {
         };
         if (parent.empty()) {
             report(node->source(), "inherits", "no preset \"" + *name + "\"");
+        } else if ((leads_out(*name) || linked_out(parent, path)) &&
+                   parent.extension() != ".toml") {
+            // nothing but presets is read from elsewhere, and no line of it shown in a message
+            report(node->source(), "inherits",
+                   "outside of the preset's own folder only a .toml file can be inherited, got \"" +
+                       *name + '"');
         } else if (chain.size() >= kDeepestChain || std::any_of(chain.begin(), chain.end(), same)) {
             report(node->source(), "inherits", "\"" + *name + "\" leads back to itself");
         } else {
