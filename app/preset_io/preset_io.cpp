@@ -10,6 +10,7 @@
 #include "app/preset_io/param_target.h"
 #include "app/preset_io/parameter_value.h"
 #include "app/preset_io/png_text.h"
+#include "app/preset_io/toml_letters.h"
 #include "app/preset_io/toml_value.h"
 
 namespace ember {
@@ -78,6 +79,11 @@ class Reader {
     }
 
     std::optional<toml::table> parse(const std::string& text, const std::filesystem::path& path) {
+        if (const auto foreign = foreign_letter(text)) {
+            result_.diagnostics.push_back({Severity::Error, file_, foreign->line, foreign->column,
+                                           "", foreign_letter_text(*foreign)});
+            return std::nullopt;
+        }
         try {
             return toml::parse(text, path.string());
         } catch (const toml::parse_error& e) {
