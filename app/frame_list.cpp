@@ -11,7 +11,8 @@
 namespace ember {
 namespace {
 
-constexpr long kMostFrames = 10'000'000;
+constexpr long kMostFrames = 10'000'000;        // in a list
+constexpr long kLastFrame = 1'000'000'000'000;  // beyond any film, and steps never overflow
 
 std::vector<std::string> split(const std::string& text, char separator) {
     std::vector<std::string> parts;
@@ -49,7 +50,8 @@ FrameRange parse_range(const std::string& part, const std::string& text) {
         if (plus != std::string::npos)
             good = good && parse_number(part.substr(plus + 1), range.step);
     }
-    if (!good || range.first < 0 || range.last < range.first) refuse_frames(text);
+    if (!good || range.first < 0 || range.last < range.first || range.last > kLastFrame)
+        refuse_frames(text);
     return range;
 }
 
@@ -66,9 +68,12 @@ std::vector<long> parse_frames(const std::string& text) {
             ranges.push_back(parse_range(part, text));
         }
         const FrameRange& range = ranges.back();
-        if (range.step <= 0 || (range.last - range.first) / range.step > kMostFrames) {
-            refuse_frames(text);
-        }
+        if (range.step <= 0 || range.step > kLastFrame) refuse_frames(text);
+    }
+    long count = 0;
+    for (const FrameRange& range : ranges) {
+        count += (range.last - range.first) / range.step + 1;
+        if (count > kMostFrames) refuse_frames(text);
     }
     std::vector<long> frames;
     for (const FrameRange& range : ranges) {

@@ -8,6 +8,7 @@
 
 #include "app/exit_code.h"
 #include "app/preset_io/mask_file.h"
+#include "app/preset_io/memory_limit.h"
 #include "app/preset_io/nearest_word.h"
 #include "app/preset_io/steering.h"
 #include "sim/param_table.h"
@@ -73,6 +74,11 @@ std::string diagnostics_text(const std::vector<Diagnostic>& diagnostics) {
 }
 
 std::vector<Diagnostic> scene_problems(Params& params, const PresetInfo& info) {
+    try {
+        check_memory(params);  // before pictures are read
+    } catch (const SceneError& e) {
+        return {place_error(info, e)};
+    }
     std::vector<Diagnostic> problems = read_masks(params, info);
     if (!problems.empty()) return problems;
     try {

@@ -5,34 +5,13 @@
 #include <limits>
 
 #include "sim/math.h"
+#include "sim/scene_check.h"
 
 namespace ember {
 namespace {
 
-constexpr std::int64_t kMostSheets = 1024;
-
 std::string group_of(const Params& params, std::size_t element) {
     return params.sheets.empty() ? "sheet" : "sheets." + std::to_string(element + 1);
-}
-
-// In 64 bits and before anything is made, since the product is what a slip of a finger makes huge.
-void check_sizes(const Params& params, const std::vector<SheetParams>& elements) {
-    std::int64_t nodes = 0, sheets = 0;
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        const SheetParams& s = elements[i];
-        const std::string group = group_of(params, i);
-        if (s.rows < 1 || s.columns < 1)
-            throw SceneError(group + ".rows", "a sheet needs at least one cell each way");
-        sheets += s.count;
-        nodes += s.count * (std::int64_t{s.rows} + 1) * (std::int64_t{s.columns} + 1);
-        if (nodes > kMostNodes) {
-            throw SceneError(group + ".rows", "more than 4096 x 4096 nodes in all, here " +
-                                                  std::to_string(s.count) + " x " +
-                                                  std::to_string(std::int64_t{s.rows} + 1) + " x " +
-                                                  std::to_string(std::int64_t{s.columns} + 1));
-        }
-        if (sheets > kMostSheets) throw SceneError(group + ".count", "more than 1024 sheets");
-    }
 }
 
 // About the fixed axes, x first.
@@ -108,8 +87,8 @@ std::vector<SheetParams> sheets_of(const Params& params) {
 }
 
 Scene make_scene(const Params& params) {
+    static_cast<void>(count_nodes(params));
     const std::vector<SheetParams> elements = sheets_of(params);
-    check_sizes(params, elements);
     Scene scene;
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const SheetParams& sheet = elements[i];

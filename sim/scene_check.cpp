@@ -11,6 +11,7 @@ namespace ember {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
+constexpr std::int64_t kMostSheets = 1024;
 constexpr std::size_t kMostStrips = 4096;  // of a sheet
 
 // A box by its middle and its half axes: along the strip, across it, and through the paper.
@@ -143,6 +144,29 @@ void check_plan(const SheetPlan& plan) {
 }
 
 }  // namespace
+
+// The product is what a slip of a finger makes huge.
+std::int64_t count_nodes(const Params& params) {
+    const std::vector<SheetParams> elements = sheets_of(params);
+    std::int64_t nodes = 0, sheets = 0;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const SheetParams& s = elements[i];
+        const std::string group =
+            params.sheets.empty() ? "sheet" : "sheets." + std::to_string(i + 1);
+        if (s.rows < 1 || s.columns < 1)
+            throw SceneError(group + ".rows", "a sheet needs at least one cell each way");
+        sheets += s.count;
+        nodes += s.count * (std::int64_t{s.rows} + 1) * (std::int64_t{s.columns} + 1);
+        if (nodes > kMostNodes) {
+            throw SceneError(group + ".rows", "more than 4096 x 4096 nodes in all, here " +
+                                                  std::to_string(s.count) + " x " +
+                                                  std::to_string(std::int64_t{s.rows} + 1) + " x " +
+                                                  std::to_string(std::int64_t{s.columns} + 1));
+        }
+        if (sheets > kMostSheets) throw SceneError(group + ".count", "more than 1024 sheets");
+    }
+    return nodes;
+}
 
 void validate(const Scene& scene, double caliper) {
     std::int64_t nodes = 0;

@@ -7,6 +7,7 @@
 
 #include "app/preset_io/atomic_file.h"
 #include "app/preset_io/mask_file.h"
+#include "app/preset_io/memory_limit.h"
 #include "app/preset_io/parameter_value.h"
 #include "app/preset_io/preset_edit.h"
 #include "app/preset_io/steering.h"
@@ -132,6 +133,7 @@ Document open_document(const std::filesystem::path& path) {
     }
     if (result.ok()) {
         try {
+            check_memory(document.saved.params);
             validate(make_scene(document.saved.params), caliper(document.saved.params.paper));
         } catch (const SceneError& e) {
             problems.push_back(place_error(result.info, e));

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 
+#include "app/preset_io/own_folder.h"
 #include "app/preset_io/png_text.h"
 
 namespace ember {
@@ -17,10 +18,6 @@ namespace fs = std::filesystem;
 struct StbDelete {
     void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
 };
-
-bool leads_out(const fs::path& path) {
-    return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
-}
 
 // Width and height as the header of a PNG says them; false for what is no PNG. Not left to the
 // decoder, which says of a picture that is too large for it that it is none.
@@ -54,13 +51,13 @@ std::string read_png(const fs::path& path, PictureFile& picture) {
     return "";
 }
 
-// Beside the preset that names it, or beside the one that the naming picture was made from.
-fs::path place_of(const std::string& name, const fs::path& said_in) {
-    const fs::path beside = said_in.parent_path() / name;
-    if (fs::exists(beside) || !is_png(said_in)) return beside;
+// The preset beside which `name` is: the one that says it, or the one that the picture which says
+// it was made from.
+fs::path preset_of(const std::string& name, const fs::path& said_in) {
+    if (fs::exists(said_in.parent_path() / name) || !is_png(said_in)) return said_in;
     const ImageText text = read_png_text(said_in);
     const std::string* source = find_text(text, "Source");
-    return source == nullptr ? beside : find_preset(*source, {}).parent_path() / name;
+    return source == nullptr ? said_in : find_preset(*source, {});
 }
 
 }  // namespace
@@ -69,8 +66,9 @@ Diagnostic read_picture(const std::string& key, const std::string& name, const P
                         PictureFile& picture) {
     Diagnostic problem = place_error(info, SceneError(key, ""));
     const fs::path said_in = problem.line > 0 ? fs::path(problem.file) : info.path;
-    picture.path = place_of(name, said_in);
-    problem.message = leads_out(name)
+    const fs::path preset = preset_of(name, said_in);
+    picture.path = preset.parent_path() / name;
+    problem.message = leads_out(name) || linked_out(picture.path, preset)
                           ? "expected a file in the preset's own folder, got \"" + name + '"'
                           : read_png(picture.path, picture);
     return problem;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "app/preset_io/parameter_value.h"
+#include "app/preset_io/toml_letters.h"
 #include "app/preset_io/toml_value.h"
 
 namespace ember {
@@ -86,6 +87,8 @@ void write_in(std::string& text, const toml::table* table, const std::string& he
 }
 
 void change(std::string& text, const PresetChange& wanted) {
+    if (const auto foreign = foreign_letter(text))
+        throw std::runtime_error(foreign_letter_text(*foreign));
     toml::table all;
     try {
         all = toml::parse(text);

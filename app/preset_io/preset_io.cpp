@@ -6,9 +6,11 @@
 #include <sstream>
 #include <tuple>
 
+#include "app/preset_io/own_folder.h"
 #include "app/preset_io/param_target.h"
 #include "app/preset_io/parameter_value.h"
 #include "app/preset_io/png_text.h"
+#include "app/preset_io/toml_letters.h"
 #include "app/preset_io/toml_value.h"
 
 namespace ember {
@@ -77,6 +79,11 @@ class Reader {
     }
 
     std::optional<toml::table> parse(const std::string& text, const std::filesystem::path& path) {
+        if (const auto foreign = foreign_letter(text)) {
+            result_.diagnostics.push_back({Severity::Error, file_, foreign->line, foreign->column,
+                                           "", foreign_letter_text(*foreign)});
+            return std::nullopt;
+        }
         try {
             return toml::parse(text, path.string());
         } catch (const toml::parse_error& e) {
@@ -115,6 +122,12 @@ class Reader {
         };
         if (parent.empty()) {
             report(node->source(), "inherits", "no preset \"" + *name + "\"");
+        } else if ((leads_out(*name) || linked_out(parent, path)) &&
+                   parent.extension() != ".toml") {
+            // nothing but presets is read from elsewhere, and no line of it shown in a message
+            report(node->source(), "inherits",
+                   "outside of the preset's own folder only a .toml file can be inherited, got \"" +
+                       *name + '"');
         } else if (chain.size() >= kDeepestChain || std::any_of(chain.begin(), chain.end(), same)) {
             report(node->source(), "inherits", "\"" + *name + "\" leads back to itself");
         } else {

@@ -1,5 +1,7 @@
 #include "app/preset_io/toml_value.h"
 
+#include "app/preset_io/toml_letters.h"
+
 namespace ember {
 
 std::optional<PresetValue> value_of(const toml::node& node) {
@@ -20,6 +22,7 @@ std::optional<PresetValue> value_of(const toml::node& node) {
 }
 
 PresetValue value_of(const std::string& text) {
+    if (foreign_letter(text)) return text;
     try {
         const toml::table table = toml::parse("v = " + text);
         if (table.size() == 1) return value_of(*table.get("v")).value_or(text);

@@ -34,7 +34,9 @@ TEST(Checkpoint, ASavedSimulationGoesOnToTheSameBits) {
             0);
         for (const char* file : {"s_0.state", "s_1.state"}) {
             EXPECT_EQ(
-                hash_in(run(folder, {"simulate", "--seconds", "1.5", "--resume", file}, preset)),
+                hash_in(run(folder,
+                            {"simulate", "--seconds", "1.5", "--resume", file, "--threads", "3"},
+                            preset)),
                 whole);
         }
     }
@@ -52,7 +54,7 @@ TEST(Checkpoint, FramesFromASavedStateAreTheSame) {
     ASSERT_EQ(
         run(folder, {"simulate", "--seconds", "1", "--save", "one.state"}, "paper/corner").code, 0);
     ASSERT_EQ(draw({"-o", "a_##.png"}).code, 0);
-    ASSERT_EQ(draw({"-o", "b_##.png", "--resume", "one.state"}).code, 0);
+    ASSERT_EQ(draw({"-o", "b_##.png", "--resume", "one.state", "--threads", "3"}).code, 0);
     for (const char* number : {"30", "31", "33"})
         EXPECT_EQ(folder.read(std::string("a_") + number + ".png"),
                   folder.read(std::string("b_") + number + ".png"));

@@ -23,6 +23,24 @@ TEST(PresetErrors, AnUnknownKeyIsNamedWithItsPlaceAndTheNearestKey) {
               "p.toml:2:2: error: nothing_like_it: unknown key\n");
 }
 
+TEST(PresetErrors, LettersBeyondAsciiStandInStringsAndCommentsOnly) {
+    const auto refused = [](const std::string& preset, const std::string& place,
+                            const std::string& letter) {
+        EXPECT_EQ(problems("schema = 1\n" + preset),
+                  "p.toml:" + place + ": error: \"" + letter +
+                      "\" can stand in strings and comments only\n");
+    };
+    refused("[paper]\ngrammage =\u00a080\n", "3:11", "\u00a0");
+    refused("[wind]\nx\u00e9 = 2\n", "3:2", "\u00e9");
+    refused("title = \"\u00e9\" \u00e9\n", "2:13", "\u00e9");
+    refused("title = '''\n\u00e9\n''''' \u20ac\n", "4:7", "\u20ac");
+    refused("title = \"\\\"\u00e9\" # \u00e9\n\u20ac\n", "3:1", "\u20ac");
+    refused("title = \"\n\u00e9\n", "3:1", "\u00e9");
+    EXPECT_EQ(problems("\xEF\xBB\xBFschema = 1 # \u00e9\ntitle = \"\u00e9\\\"\u00e9\"\n"
+                       "description = \"\"\"\n\u00e9 \"\u00e9\" \\\"\"\"\u00e9\"\"\"\n[paper]\n"),
+              "");
+}
+
 TEST(PresetErrors, AWrongTypeSaysWhatWasExpectedAndWhatWasFound) {
     EXPECT_EQ(problems("schema = 1\n[paper]\ngrammage = true\n"),
               "p.toml:3:12: error: paper.grammage: expected a number from 5 to 5000 g/m^2, got "
