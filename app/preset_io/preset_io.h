@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/preset_io/preset_folders.h"
 #include "sim/param_info.h"
 #include "sim/scene.h"
 
@@ -74,14 +75,6 @@ struct PresetResult {
 /// What cannot be built, where the preset says it: at the key, failing that at the group's key or
 /// the element.
 [[nodiscard]] Diagnostic place_error(const PresetInfo& info, const SceneError& error);
-
-/// Finds a preset by path or name, with or without ".toml": in `beside`, then among the built-in
-/// ones, as in "paper/corner". Empty when there is none.
-[[nodiscard]] std::filesystem::path find_preset(const std::string& name,
-                                                const std::filesystem::path& beside);
-
-/// Folders of built-in presets, in order of search.
-[[nodiscard]] std::vector<std::filesystem::path> preset_folders();
 
 /// A complete preset that holds every value, in shown units: reads back to the same parameters
 /// whatever the defaults of a later version are.
