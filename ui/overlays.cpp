@@ -66,7 +66,7 @@ void figures(const Layout& layout, const Snapshot& shot) {
         line("cuts", "%lld", count(s.cuts));
         line("hottest", "%.0f \u00b0C", s.hottest - kZeroCelsius);
         line("mass", "%.2f g", 1e3 * s.mass);
-        line("heat", "%.0f J", s.heat);
+        line("heat", "%.3g J", s.heat);
         if (s.retries > 0) line("retried", "%lld ticks", count(s.retries));
     }
     end_corner(open);
