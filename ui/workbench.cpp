@@ -231,7 +231,7 @@ std::string Workbench::take_of(const Snapshot& shot) const {
 }
 
 std::filesystem::path Workbench::save_take(const std::filesystem::path& folder) {
-    const std::filesystem::path file = numbered_file(folder, ".take");
+    std::filesystem::path file = numbered_file(folder, ".take");
     write_file(file, take_of(*snapshot_));
     return file;
 }

@@ -8,7 +8,7 @@ std::filesystem::path find_preset(const std::string& name, const std::filesystem
     places.insert(places.end(), built_in.begin(), built_in.end());
     for (const std::filesystem::path& place : places) {
         for (const std::string& file : {name, name + ".toml"}) {
-            const std::filesystem::path path = place / file;
+            std::filesystem::path path = place / file;
             if (std::filesystem::is_regular_file(path)) return path;
         }
     }
