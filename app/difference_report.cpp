@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <string_view>
 
+#include "app/bench/svg.h"
+
 namespace ember {
 namespace {
 
@@ -19,29 +21,6 @@ img{image-rendering:pixelated;min-width:240px;background:#000;display:block}
 td{padding:0 1.2em .1em 0;vertical-align:top} td:first-child{color:#999;white-space:nowrap}
 </style></head><body><h1>@</h1>
 )";
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
 
 std::string base64(std::string_view bytes) {
     static constexpr std::string_view kDigits =
@@ -62,12 +41,12 @@ std::string image_tag(const Image& image) {
 }
 
 std::string figure(const std::string& caption, const std::string& images) {
-    return "<figure><div class=\"swap\">" + images + "</div><figcaption>" + escaped(caption) +
+    return "<figure><div class=\"swap\">" + images + "</div><figcaption>" + xml_escaped(caption) +
            "</figcaption></figure>\n";
 }
 
 std::string row(const std::string& name, const std::string& value) {
-    return "<tr><td>" + escaped(name) + "</td><td>" + escaped(value) + "</td></tr>\n";
+    return "<tr><td>" + xml_escaped(name) + "</td><td>" + xml_escaped(value) + "</td></tr>\n";
 }
 
 template <class... Numbers>
@@ -109,11 +88,12 @@ std::string pictures_of(const ReportEntry& entry, const ImageDifference& d) {
 std::string difference_report(const std::string& title, std::span<const ReportEntry> entries) {
     std::string out;
     for (const char c : kHead)
-        out += c == '@' ? escaped(title) : std::string(1, c);
+        out += c == '@' ? xml_escaped(title) : std::string(1, c);
     for (const ReportEntry& entry : entries) {
         ImageDifference d;
         if (entry.expected && entry.actual) d = compare(*entry.expected, *entry.actual);
-        out += "<h2>" + escaped(entry.name) + "</h2>\n<pre>" + escaped(entry.verdict) + "</pre>\n";
+        out += "<h2>" + xml_escaped(entry.name) + "</h2>\n<pre>" + xml_escaped(entry.verdict) +
+               "</pre>\n";
         out += pictures_of(entry, d) + "<table>\n";
         if (d.comparable) out += figures_of(d);
         for (const auto& [name, value] : entry.facts)

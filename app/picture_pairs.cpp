@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/bench/svg.h"
 #include "app/difference_report.h"
 #include "app/exit_code.h"
 #include "app/version.h"
@@ -75,22 +76,6 @@ Json metrics(const ImageDifference& d, const DifferenceLimits& limits) {
             {"psnr", number(d.psnr())},
             {"worst_block", d.worst_block},
             {"worst_block_at", {d.block_x, d.block_y}}};
-}
-
-std::string xml(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += code < 0x20 ? ' ' : c;
-    }
-    return out;
 }
 
 }  // namespace
@@ -170,11 +155,11 @@ std::string results_junit(const std::vector<PairResult>& results) {
         " tests=\"" +
         std::to_string(results.size()) + "\" failures=\"" + std::to_string(failures) + "\">\n";
     for (const PairResult& r : results) {
-        out += " <testcase classname=\"emberleaf.diff\" name=\"" + xml(r.pair.name) + "\">";
+        out += " <testcase classname=\"emberleaf.diff\" name=\"" + xml_escaped(r.pair.name) + "\">";
         if (!r.same)
-            out += "<failure message=\"" + xml(r.text) + "\"/>";
+            out += "<failure message=\"" + xml_escaped(r.text) + "\"/>";
         else
-            out += "<system-out>" + xml(r.text) + "</system-out>";
+            out += "<system-out>" + xml_escaped(r.text) + "</system-out>";
         out += "</testcase>\n";
     }
     return out + "</testsuite>\n";

@@ -66,8 +66,8 @@ std::string xml_escaped(std::string_view words) {
             case '\'':
                 text += "&apos;";
                 break;
-            default:
-                text += c;
+            default:  // XML has no place for other control characters
+                text += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
         }
     }
     return text;
