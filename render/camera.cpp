@@ -57,6 +57,10 @@ Camera make_camera(const CameraParams& p, int width, int height) {
     return camera;
 }
 
+double metres_high(const CameraParams& params) {
+    return 2 * std::tan(0.5 * params.field_of_view) * params.distance;
+}
+
 Eigen::Vector3f project(const Camera& camera, const Eigen::Vector3f& point, int width, int height) {
     const Eigen::Vector4f clip = camera.projection * (camera.view * point.homogeneous());
     if (!(clip.w() > 0)) return {0, 0, -1};

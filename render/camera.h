@@ -18,6 +18,9 @@ struct Camera {
 
 [[nodiscard]] Camera make_camera(const CameraParams& params, int width, int height);
 
+/// Height [m] of what the picture shows at the distance of the target.
+[[nodiscard]] double metres_high(const CameraParams& params);
+
 /// World point [m] to pixels from the top left corner (x, y) and depth in (0, 1) between the near
 /// and far plane; a depth outside means that the point is not in front of the camera.
 [[nodiscard]] Eigen::Vector3f project(const Camera& camera, const Eigen::Vector3f& point, int width,

@@ -32,10 +32,11 @@ void allocate(const Texture& texture, GLenum internal_format, GLenum format, GLe
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-Texture load_texture(int width, int height, const unsigned char* rgba) {
+Texture load_texture(int width, int height, const unsigned char* rgba, GLenum internal_format) {
     Texture texture;
     glBindTexture(GL_TEXTURE_2D, texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), width, height, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, rgba);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
@@ -44,14 +45,14 @@ Texture load_texture(int width, int height, const unsigned char* rgba) {
     return texture;
 }
 
-Texture load_texture(std::span<const unsigned char> png) {
+Texture load_texture(std::span<const unsigned char> png, GLenum internal_format) {
     int width = 0, height = 0, channels = 0;
     const std::unique_ptr<unsigned char, void (*)(void*)> pixels(
         stbi_load_from_memory(png.data(), static_cast<int>(png.size()), &width, &height, &channels,
                               4),
         stbi_image_free);
     if (!pixels) throw RenderError("an embedded texture is damaged");
-    return load_texture(width, height, pixels.get());
+    return load_texture(width, height, pixels.get(), internal_format);
 }
 
 }  // namespace ember

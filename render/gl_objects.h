@@ -80,8 +80,10 @@ void allocate(const Texture& texture, GLenum internal_format, GLenum format, GLe
               int height);
 
 /// 2-D texture with mipmaps, repeating; 4 bytes per pixel.
-[[nodiscard]] Texture load_texture(int width, int height, const unsigned char* rgba);
+[[nodiscard]] Texture load_texture(int width, int height, const unsigned char* rgba,
+                                   GLenum internal_format = GL_RGBA8);
 /// The same from an embedded PNG.
-[[nodiscard]] Texture load_texture(std::span<const unsigned char> png);
+[[nodiscard]] Texture load_texture(std::span<const unsigned char> png,
+                                   GLenum internal_format = GL_RGBA8);
 
 }  // namespace ember

@@ -80,13 +80,14 @@ class SheetPass {
     void draw(const PassInput& in);
     /// Draws what the paper is made of, for compositing, instead of how it looks.
     void draw_layer(const PassInput& in, PaperLayer layer);
-    /// Draws the triangles with the program in use; attribute 0 is the position.
+    /// Draws the triangles with the program in use, without thickness; attribute 0 is the position.
     void draw_triangles() const;
     [[nodiscard]] int uploads() const { return uploads_; }  ///< how often data went to buffers
 
   private:
     void upload_topology(const WorldView& world, double pixels_per_metre, double ragged);
     void bind_paper(const PassInput& in, PaperLayer layer);
+    void draw_thick();
     void draw_paper(const PassInput& in);
     void draw_quantity(const PassInput& in);
     // What is printed on a face, as a texture that is made anew when the picture is another one.
@@ -98,7 +99,15 @@ class SheetPass {
     };
     int samples_;
     Program paper_{"sheet"}, quantity_{"sheet", "quantity"};
-    Texture scorch_, ember_, heat_, mass_, stress_, fibre_, crackle_;
+    // Noise of the paper. Near the camera it needs more than 8 bits between the texels.
+    struct Noise {
+        Texture fibre, crackle;
+        explicit Noise(GLenum internal_format);
+    };
+    Texture scorch_, ember_, heat_, mass_, stress_;
+    Noise noise_{GL_RGBA8};
+    std::unique_ptr<const Noise> near_noise_;  ///< made when it is first needed
+    bool near_ = false;
     Print front_, back_;
     VertexArray array_;
     Buffer vertices_, points_, indices_;
@@ -107,6 +116,8 @@ class SheetPass {
     std::vector<std::uint64_t> uploaded_;  ///< topology that points and indices hold
     int level_ = 1;                        ///< of the patches
     double ragged_ = 0;                    ///< [cells] of their edges
+    int shells_ = 1;                       ///< see shell_count()
+    float caliper_ = 0;                    ///< [m] from the first to the last of them
     GLsizei index_count_ = 0;
 };
 
@@ -164,6 +175,8 @@ class FirePass {
     /// `depth` is the resolved depth of the scene. Leaves premultiplied light in texture().
     void draw(const PassInput& in, const Texture& depth);
     [[nodiscard]] const Texture& texture() const { return colour_; }
+    /// How much flame (red) and smoke (alpha) is in the line of sight, as optical depths.
+    [[nodiscard]] const Texture& amounts() const { return amounts_; }
 
   private:
     void bind_inputs(const Program& program, const PassInput& in, const Texture& depth);
@@ -183,6 +196,7 @@ class FirePass {
 struct FilmInput {
     const Texture* background = nullptr;  ///< null: nothing, the picture is transparent
     const Texture* fire = nullptr;        ///< null: no fire
+    const Texture* gas = nullptr;         ///< FirePass::amounts(); null: gas bends no light
     bool bloom = false;                   ///< whether anything can be too bright for the film
     bool linear = false;                  ///< light as it is, rather than developed
     unsigned target = 0;                  ///< framebuffer

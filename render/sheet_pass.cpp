@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "render/assets.h"
@@ -9,6 +8,9 @@
 namespace ember {
 namespace {
 
+// [pixels/m] From here on a step of 1/255 between pixels, which is all that filters make of 8 bits,
+// would show in the relief as dots.
+constexpr double kNear = 3000;
 constexpr double kRagged = 0.24;  // [cells] how far torn edges wander
 
 void take_nearest(const Texture& texture) {
@@ -27,19 +29,22 @@ Texture table_texture(Colour (*function)(double), double end) {
     return texture;
 }
 
+SheetPass::Noise::Noise(GLenum internal_format)
+    : fibre(load_texture(asset("fibre.png"), internal_format)),
+      crackle(load_texture(asset("crackle.png"), internal_format)) {
+    for (const Texture* noise : {&fibre, &crackle}) {
+        glBindTexture(GL_TEXTURE_2D, noise->name());  // one level of detail is enough for noise
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    }
+}
+
 SheetPass::SheetPass(int samples)
     : samples_(samples),
       scorch_(table_texture(scorched_albedo, kScorchEnd)),
       ember_(table_texture(ember_light, kEmberEnd)),
       heat_(table_texture(heat_map, 1.0)),
       mass_(table_texture(mass_map, 1.0)),
-      stress_(table_texture(stress_map, 1.0)),
-      fibre_(load_texture(asset("fibre.png"))),
-      crackle_(load_texture(asset("crackle.png"))) {
-    for (const Texture* noise : {&fibre_, &crackle_}) {
-        glBindTexture(GL_TEXTURE_2D, noise->name());  // one level of detail is enough for noise
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-    }
+      stress_(table_texture(stress_map, 1.0)) {
     for (const Texture* table : {&scorch_, &ember_})
         take_nearest(*table);  // their steps are finer than the noise
     glBindVertexArray(array_.name());
@@ -88,13 +93,16 @@ void SheetPass::upload_topology(const WorldView& world, double pixels_per_metre,
 
 bool SheetPass::prepare(const Frame& frame, const RenderParams& params, int height) {
     const WorldView& world = *frame.world;
-    const CameraParams& camera = params.camera;
-    const double metres = 2 * std::tan(0.5 * camera.field_of_view) * camera.distance;  // high
+    const double pixels = height / metres_high(params.camera);  // in a metre
     // views of the lattice show its own cells
     const bool beauty = params.view.mode == ViewMode::Beauty && !params.view.wireframe;
     const double ragged = beauty ? kRagged : 0.0;
     glBindVertexArray(array_.name());
-    upload_topology(world, height / metres, ragged);
+    upload_topology(world, pixels, ragged);
+    near_ = pixels > kNear;
+    if (near_ && !near_noise_) near_noise_ = std::make_unique<const Noise>(GL_RGBA16F);
+    shells_ = shell_count(world.caliper * pixels);
+    caliper_ = shells_ > 1 ? static_cast<float>(world.caliper) : 0.0f;
     fresh_.clear();
     for (std::size_t s = 0; s < world.sheets.size(); ++s) {
         const SheetView& sheet = world.sheets[s];
@@ -120,7 +128,9 @@ void SheetPass::bind_paper(const PassInput& in, PaperLayer layer) {
     paper_.use();
     set_lighting(paper_, in);
     const char* samplers[] = {"u_scorch", "u_ember", "u_fibre", "u_crackle", "u_front", "u_back"};
-    const Texture* textures[] = {&scorch_, &ember_, &fibre_, &crackle_, &front_.ink, &back_.ink};
+    const Noise& noise = near_ ? *near_noise_ : noise_;
+    const Texture* textures[] = {&scorch_,       &ember_,     &noise.fibre,
+                                 &noise.crackle, &front_.ink, &back_.ink};
     for (int unit = 0; unit < 6; ++unit) {
         bind_texture(static_cast<GLuint>(unit), *textures[unit]);
         paper_.set(samplers[unit], unit);
@@ -133,9 +143,21 @@ void SheetPass::bind_paper(const PassInput& in, PaperLayer layer) {
     paper_.set("u_wireframe", in.params.view.wireframe ? 1 : 0);
 }
 
+// As many shells as make the paper thick: torn edges, which are cut out of each in the same way,
+// show those below as a wall. The faces come first, because they hide nearly all of the others.
+void SheetPass::draw_thick() {
+    const auto last = static_cast<float>(std::max(shells_ - 1, 1));
+    for (int k = 0; k < shells_; ++k) {
+        const int shell = k == 0 ? 0 : k == 1 ? shells_ - 1 : k - 1;
+        paper_.set("u_lift", caliper_ * (static_cast<float>(shell) / last - 0.5f));
+        paper_.set("u_inside", k > 1 ? 1 : 0);
+        draw_triangles();
+    }
+}
+
 void SheetPass::draw_layer(const PassInput& in, PaperLayer layer) {
     bind_paper(in, layer);
-    draw_triangles();
+    draw_thick();
 }
 
 void SheetPass::draw_paper(const PassInput& in) {
@@ -143,7 +165,7 @@ void SheetPass::draw_paper(const PassInput& in) {
     // torn edges are covered in part; what is covered counts as opaque
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glEnable(GL_SAMPLE_ALPHA_TO_ONE);
-    draw_triangles();
+    draw_thick();
     glDisable(GL_SAMPLE_ALPHA_TO_ONE);
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "render/sheet_fields.h"
 #include "render/torn_edges.h"
@@ -89,17 +90,17 @@ void for_patch(int level, Visitor&& visit) {
     }
 }
 
-// Which sides of which quads are torn: where the neighbour on the lattice is missing or has nodes
-// of its own.
-class TornSides {
+// Which sides of which quads end the paper: at its border, or torn, where the neighbour on the
+// lattice is missing or has nodes of its own.
+class Edges {
   public:
-    explicit TornSides(const SheetView& sheet) : sheet_(sheet), torn_node_(sheet.x.size()) {
+    explicit Edges(const SheetView& sheet) : sheet_(sheet), torn_node_(sheet.x.size()) {
         of_cell_.assign(static_cast<std::size_t>(sheet.row_count * sheet.column_count), kNone);
         for (std::size_t q = 0; q < sheet.quads.size(); ++q)
             of_cell_[static_cast<std::size_t>(first_site(q))] = static_cast<Index>(q);
         for (std::size_t q = 0; q < sheet.quads.size(); ++q) {
             for (std::size_t k = 0; k < 4; ++k) {
-                if (!torn(q, k)) continue;
+                if (side(q, k) != Side::Torn) continue;
                 torn_node_[corner(q, k)] = torn_node_[corner(q, k + 1)] = 1;
             }
         }
@@ -107,8 +108,10 @@ class TornSides {
 
     [[nodiscard]] unsigned bits(std::size_t q) const {
         unsigned sides = 0;
-        for (std::size_t k = 0; k < 4; ++k)
-            sides |= torn(q, k) ? kTornSide << k : 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Side s = side(q, k);
+            sides |= s == Side::Torn ? kTornSide << k : s == Side::Border ? kBorderSide << k : 0;
+        }
         for (std::size_t k = 0; k < 4; ++k) {
             const bool beside = (sides & (kTornSide << k | kTornSide << (k + 3) % 4)) != 0;
             if (torn_node_[corner(q, k)] != 0 && !beside) sides |= kTornCorner << k;
@@ -117,21 +120,25 @@ class TornSides {
     }
 
   private:
+    enum class Side : std::uint8_t { Whole, Border, Torn };
     [[nodiscard]] Index first_site(std::size_t q) const { return sheet_.site[corner(q, 0)]; }
     [[nodiscard]] std::size_t corner(std::size_t q, std::size_t k) const {
         return static_cast<std::size_t>(sheet_.quads[q][k % 4]);
     }
-    [[nodiscard]] bool torn(std::size_t q, std::size_t k) const {
+    [[nodiscard]] Side side(std::size_t q, std::size_t k) const {
         constexpr std::array<std::array<Index, 2>, 4> kAway{{{-1, 0}, {0, 1}, {1, 0}, {0, -1}}};
         Index row = first_site(q) / sheet_.column_count + kAway[k][0];
         const Index column = first_site(q) % sheet_.column_count + kAway[k][1];
         if (sheet_.closed) row = (row + sheet_.row_count) % sheet_.row_count;
         const Index rows = sheet_.closed ? sheet_.row_count : sheet_.row_count - 1;
-        if (row < 0 || row >= rows || column < 0 || column >= sheet_.column_count - 1) return false;
+        if (row < 0 || row >= rows || column < 0 || column >= sheet_.column_count - 1)
+            return Side::Border;
         const Index other = of_cell_[static_cast<std::size_t>(row * sheet_.column_count + column)];
-        if (other == kNone) return true;
+        if (other == kNone) return Side::Torn;
         const auto o = static_cast<std::size_t>(other);
-        return corner(q, k) != corner(o, k + 3) || corner(q, k + 1) != corner(o, k + 2);
+        const bool shared =
+            corner(q, k) == corner(o, k + 3) && corner(q, k + 1) == corner(o, k + 2);
+        return shared ? Side::Whole : Side::Torn;
     }
 
     const SheetView& sheet_;
@@ -144,6 +151,12 @@ class TornSides {
 int patch_level(std::size_t quads, double pixels) {
     const int most = quads <= 6000 ? 4 : quads <= 20000 ? 2 : 1;
     return std::clamp(static_cast<int>(pixels / 8.0), 1, most);
+}
+
+int shell_count(double pixels) {
+    constexpr double kVisible = 1.5;  // [pixels]
+    constexpr int kMost = 16;         // by then each is some pixels high, and soft with fibres
+    return pixels < kVisible ? 1 : std::min(kMost, 1 + static_cast<int>(std::ceil(pixels)));
 }
 
 void append_vertices(const SheetView& sheet, const WorldView& world, int level,
@@ -186,14 +199,14 @@ void append_points(const SheetView& sheet, std::size_t number, int level,
     const auto along = static_cast<float>(grid.along), across = static_cast<float>(grid.across);
     const auto height = static_cast<float>(1e3 * sheet.height);
     const auto width = static_cast<float>(1e3 * sheet.width);
-    const TornSides torn(sheet);
+    const Edges edges(sheet);
     const auto shifts = edge_shifts(sheet, ragged);
     for (std::size_t q = 0; q < sheet.quads.size(); ++q) {
         const Index site = sheet.site[static_cast<std::size_t>(sheet.quads[q][0])];
         const Index site_row = site / sheet.column_count;
         const auto row = static_cast<float>(site_row);
         const auto column = static_cast<float>(site % sheet.column_count);
-        const auto bits = static_cast<float>(torn.bits(q));
+        const auto bits = static_cast<float>(edges.bits(q));
         std::array<float, 4> aside{}, below{};  // [mm]
         for (std::size_t k = 0; k < 4 && !shifts.empty(); ++k) {
             const auto& shift = shifts[static_cast<std::size_t>(sheet.quads[q][k])];

@@ -28,16 +28,21 @@ struct SheetPoint {
     float along, across;  ///< size of the quad [mm]
     float right, down;    ///< place on the printed page, 0 .. 1
     float grain;          ///< number of the sheet: where on the textures its grain begins
-    float torn;           ///< which sides of the quad are torn, see kTornSide
+    float edges;          ///< which sides of the quad are edges of the paper, see kTornSide
 };
 
-/// Bits of SheetPoint::torn: side k runs from corner k to corner k + 1 of the quad; the bits above
-/// them are torn corners of which no side is torn.
-inline constexpr unsigned kTornSide = 1, kTornCorner = 16;
+/// Bits of SheetPoint::edges: side k runs from corner k to corner k + 1 of the quad; the bits above
+/// them are torn corners of which no side is torn, and then sides at the border of the sheet.
+inline constexpr unsigned kTornSide = 1, kTornCorner = 16, kBorderSide = 256;
 
 /// How many pieces a quad is divided into along each side, for so many quads in all that are so
 /// many pixels wide in the picture: pieces smaller than 8 pixels cost more than they show.
 [[nodiscard]] int patch_level(std::size_t quads, double pixels);
+
+/// How many shells paper is drawn as, one above the other, that is so many pixels thick: enough
+/// that torn edges show as a wall, and one, without thickness, where that would be too little to
+/// see.
+[[nodiscard]] int shell_count(double pixels);
 
 /// Appends the patches of `sheet`. `quantity` has one value per node, or is empty. `ragged`: see
 /// edge_shifts(), the same for both.

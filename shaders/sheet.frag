@@ -7,7 +7,7 @@ in vec4 v_fields;
 in vec2 v_sheet, v_cell, v_page;
 flat in vec2 v_size;
 flat in float v_grain;
-flat in int v_torn;
+flat in int v_edges;
 in vec2 v_flame;                        // light of the flames on the face with the normal, and behind
 uniform sampler2D u_scorch;             // reflectance by mm ahead of the char line, 0 .. 32
 uniform sampler2D u_ember;              // light by mm behind the ember line, 0 .. 4
@@ -16,6 +16,7 @@ uniform sampler2D u_front, u_back;      // what is printed on both faces, sRGB-e
 uniform vec3 u_char, u_ash_dark, u_ash_pale;
 uniform int u_samples;                  // per pixel
 uniform int u_wireframe;
+uniform int u_inside;                   // whether this shell is between the faces: seen at edges
 uniform int u_layer;                    // 0 the picture, else an ingredient (PaperLayer)
 out vec4 o_colour;
 
@@ -25,14 +26,14 @@ vec3 look_up(sampler2D table, float x) {
     return texture(table, vec2((clamp(x, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
 
-// Distance to the torn sides of this quad [mm].
-float to_torn_edge() {
-    if (v_torn == 0) return 1e3;
+// Distance to sides of this quad that are torn (1) or also to those at the border (257) [mm].
+float to_edge(int kinds) {
+    if ((v_edges & (kinds == 1 ? 255 : -1)) == 0) return 1e3;
     vec4 side = vec4(v_cell.y, 1.0 - v_cell.x, 1.0 - v_cell.y, v_cell.x) * v_size.yxyx;
     float nearest = 1e3;
     for (int k = 0; k < 4; ++k) {
-        if ((v_torn & (1 << k)) != 0) nearest = min(nearest, side[k]);
-        if ((v_torn & (16 << k)) != 0) nearest = min(nearest, length(vec2(side[k], side[(k + 3) & 3])));
+        if ((v_edges & (kinds << k)) != 0) nearest = min(nearest, side[k]);
+        if ((v_edges & (16 << k)) != 0) nearest = min(nearest, length(vec2(side[k], side[(k + 3) & 3])));
     }
     return nearest;
 }
@@ -62,7 +63,7 @@ void main() {
     float drift = 0.7 * (fibre.b + texture(u_fibre, mat2(-0.28, 0.96, -0.96, -0.28) * mm / 57.0).b - 1.0);
 
     // torn edges end in fibres
-    float torn = to_torn_edge() - 0.15 - 0.8 * fibre.b - 0.5 * fibre.a;
+    float torn = to_edge(1) - 0.15 - 0.8 * fibre.b - 0.5 * fibre.a;
     float covered = clamp(torn / max(fwidth(torn), 1e-4) + 0.5, 0.0, 1.0);
     if (covered < (u_samples > 1 ? 0.02 : 0.5)) discard;
 
@@ -117,8 +118,8 @@ void main() {
                    flakes * (1.3e-4 * smoothstep(0.0, 0.9, crack.r) - 1.5e-4 * crack.r * 0.35 +
                              3e-5 * smoothstep(0.0, 0.5, crack.b)) +
                    1.6e-3 * wander.y * smoothstep(-14.0, 0.0, charred);
-    // torn edges are as thick as paper, which the camera sees when it is near
-    height += 6e-5 * smoothstep(0.0, 0.14, torn);
+    // torn edges are bevelled; what shows between the faces is a wall, which slopes steeply
+    height += u_inside != 0 ? 4e-3 * min(torn, to_edge(257)) : 6e-5 * smoothstep(0.0, 0.14, torn);
     vec3 n = normalize(v_normal);
     vec3 to_eye = normalize(u_eye - v_place);
     if (!faces) n = -n;

@@ -191,6 +191,7 @@ WorldView World::view(const WorldState& state) const {
     view.burning_time = (1.0 - params_.burning.residual_mass) * params_.paper.grammage /
                         (params_.burning.burn_rate * params_.burning.burn_speed);
     view.fire_temperature = params_.fire.temperature;
+    view.caliper = caliper(params_.paper);
     view.ground = params_.world.ground;
     view.lighters = lighters_at(state.time);
     for (std::size_t s = 0; s < state.sheets.size(); ++s) {

@@ -67,6 +67,7 @@ struct WorldView {
     double residual_mass = 0;     ///< [1] share of a node's mass that stays as ash
     double burning_time = 0;      ///< [s] from catching fire to burning out
     double fire_temperature = 0;  ///< [K] of a particle at birth
+    double caliper = 0;           ///< [m] thickness of the paper
     bool ground = false;          ///< a floor at y = 0
     std::vector<LighterView> lighters;
     std::vector<SheetView> sheets;

@@ -90,7 +90,8 @@ std::vector<BurntScene> burnt_scenes() {
                                    {"transparent", middle, {}, letter.render()},
                                    {"two sheets", sheets.at(150), {}, sheets.render()},
                                    {"close", middle, {}, letter.render()},
-                                   {"from below", early, {}, letter.render()}};
+                                   {"from below", early, {}, letter.render()},
+                                   {"border", middle, {}, letter.render()}};
     scenes[2].params.look.lighting = LightingPreset::Night;
     scenes[2].params.look.exposure = 1.4;
     scenes[3].params.camera.azimuth += 3.141592653589793;
@@ -102,6 +103,11 @@ std::vector<BurntScene> burnt_scenes() {
     // the lighter mirrors the lamp
     scenes[7].params.camera = scenes[1].params.camera;
     scenes[7].params.camera.elevation = -0.7;
+    scenes[5].params.look.haze = 3.0;
+    // the upper left corner, so near that the paper is some pixels thick
+    look_close(middle->state().sheets[0].position.at(0), 8.0, scenes[8].params.camera);
+    scenes[8].params.camera.field_of_view = 0.0175;
+    scenes[8].params.camera.azimuth = -1.0;
     add_views(scenes[0], scenes);
     return scenes;
 }

@@ -171,6 +171,35 @@ TEST(BurningPaper, ATornEdgeIsFibrousAndTheSheetsOwnBorderIsNot) {
     EXPECT_LT(compare(whole, torn).pixels, 1460);
 }
 
+// Pixels that a sheet of some thickness [m] covers when the camera sees it nearly from its side.
+double covered_from_the_side(GlRig& rig, const StagedWorld& staged, double caliper) {
+    RenderParams params = head_on();
+    params.camera.azimuth = 1.4;
+    params.camera.distance = 4;  // and a long lens: hardly any perspective
+    params.camera.field_of_view = 0.1;
+    params.view.transparent = true;
+    WorldView view = staged.view();
+    view.caliper = caliper;
+    const Image image = rig.draw(view, params, 960, 540);
+    double covered = 0;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        covered += image.rgba[i] / 255.0;
+    return covered;
+}
+
+TEST(BurningPaper, EdgesAreAsThickAsThePaperWhereTheCameraIsNear) {
+    GlRig rig;
+    const StagedWorld staged = test::hanging_sheet(8, 12);
+    const double thin = covered_from_the_side(rig, staged, 0);
+    const double pixels = 540 / (2 * 4 * std::tan(0.05));  // in a metre
+    EXPECT_NEAR(thin, 0.210 * std::cos(1.4) * 0.297 * pixels * pixels, 0.02 * thin);
+    for (const double caliper : {0.003, 0.006}) {
+        const double wall = caliper * std::sin(1.4) * 0.297 * pixels * pixels;
+        EXPECT_NEAR(covered_from_the_side(rig, staged, caliper) - thin, wall, 0.1 * wall);
+    }
+    EXPECT_EQ(covered_from_the_side(rig, staged, 0.0008), thin) << "too thin to be seen";
+}
+
 TEST(ColourMappedViews, AWireframeDarkensTheEdgesOfTheCellsOnly) {
     GlRig rig;
     const StagedWorld staged = test::hanging_sheet(5, 7);

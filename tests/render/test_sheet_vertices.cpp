@@ -43,6 +43,14 @@ StagedWorld cylinder(int rows, double radius) {
     return staged;
 }
 
+TEST(SheetShells, ThinPaperIsOneAndThickPaperHasNoGapsOfMoreThanAPixel) {
+    EXPECT_EQ(shell_count(0), 1);
+    EXPECT_EQ(shell_count(1.4), 1);
+    for (double pixels = 1.5; pixels <= 15; pixels += 0.25)
+        EXPECT_LE(pixels / (shell_count(pixels) - 1), 1.0) << pixels;
+    EXPECT_EQ(shell_count(1e9), 16);
+}
+
 TEST(SheetPoints, PlaceOnTheSheetIsInMillimetresOfTheUnburntSheet) {
     const StagedWorld staged = test::hanging_sheet(5, 9);
     const auto p = points(staged.view());
@@ -65,13 +73,20 @@ TEST(SheetPoints, ATubeHasOneMoreCellAcrossThanASheet) {
 }
 
 // A cut along one edge inside a sheet of 3 × 2 cells: both quads get nodes of their own there.
-TEST(SheetPoints, OnlySidesInsideTheSheetWithoutTheirNeighbourAreTorn) {
+TEST(SheetPoints, SidesInsideTheSheetWithoutTheirNeighbourAreTornAndOthersBorder) {
     StagedWorld staged = test::hanging_sheet(4, 3);
-    for (const SheetPoint& p : points(staged.view()))
-        EXPECT_EQ(p.torn, 0);
+    const unsigned top = kBorderSide, right = kBorderSide << 1, bottom = kBorderSide << 2,
+                   left = kBorderSide << 3;
+    const auto whole = points(staged.view());
+    const unsigned borders[] = {top | left, top | right,   left,
+                                right,      bottom | left, bottom | right};
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        EXPECT_EQ(static_cast<unsigned>(whole[i].edges), borders[i / 4]) << i;
     staged.quads.erase(staged.quads.begin() + 2);  // row 1, column 0
     const auto p = points(staged.view());
-    const auto torn = [&](std::size_t quad) { return static_cast<unsigned>(p[4 * quad].torn); };
+    const auto torn = [&](std::size_t quad) {
+        return static_cast<unsigned>(p[4 * quad].edges) % kBorderSide;
+    };
     EXPECT_EQ(torn(0), kTornSide << 2) << "row 0, column 0";
     EXPECT_EQ(torn(1), kTornCorner << 3) << "row 0, column 1 touches the hole with a corner";
     EXPECT_EQ(torn(2), kTornSide << 3) << "row 1, column 1";
