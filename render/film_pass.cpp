@@ -3,7 +3,8 @@
 namespace ember {
 namespace {
 
-constexpr int kBloomPart = 4;  // bloom has this fraction of the picture's width and height
+constexpr double kHaze = 1.5e-5;  // [m^2] shift by how fast gas thickens across the picture [1/m]
+constexpr int kBloomPart = 4;   // bloom has this fraction of the picture's width and height
 
 void attach(const Framebuffer& framebuffer, const Texture& colour) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
@@ -113,6 +114,13 @@ void FilmPass::develop(const PassInput& in, const FilmInput& film) {
     // quantities are colours to be read, not light to be developed
     film_.set("u_plain", film.linear ? 2 : in.params.view.mode != ViewMode::Beauty ? 1 : 0);
     film_.set("u_transparent", in.params.view.transparent ? 1 : 0);
+    const bool haze = film.gas != nullptr;
+    bind_texture(4, haze ? *film.gas : colour_);
+    film_.set("u_gas", 4);
+    const double pixels = height_ / metres_high(in.params.camera);  // in a metre
+    film_.set("u_haze",
+              haze ? static_cast<float>(kHaze * in.params.look.haze * pixels * pixels) : 0.0f);
+    film_.set("u_pixels", Eigen::Vector2f(static_cast<float>(width_), static_cast<float>(height_)));
     glBindVertexArray(empty_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);

@@ -141,6 +141,9 @@ constexpr ParamInfo kRows[] = {
                                        "How dense the smoke above the flames is."),
     real<&R::look, &LookParams::sparks>("look.sparks", unit::one, {0, 100}, {0, 5}, Linear,
                                         "How many sparks fly."),
+    real<&R::look, &LookParams::haze>("look.haze", unit::one, {0, 10}, {0, 3}, Linear,
+                                      "How far hot gas bends what is seen through it. In life it "
+                                      "shows on what is metres away, hardly on the paper."),
     real<&R::look, &LookParams::bloom>("look.bloom", unit::one, {0, 1}, {0, 0.8}, Linear,
                                        "Share of the light beyond the film's range that spreads "
                                        "around what glows."),

@@ -65,6 +65,7 @@ struct LookParams {
     double flame_brightness = 1.0;  // [1]
     double smoke = 1.0;             // [1]
     double sparks = 1.0;            // [1]
+    double haze = 0;                // [1] how far hot gas bends what is behind it
     double bloom = 0.4;             // [1] share of light beyond the film's range that is spread
     Quality quality = Quality::Full;
 };

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "render/image_difference.h"
 #include "support/gl_rig.h"
 #include "support/node_pixels.h"
 
@@ -111,6 +112,50 @@ TEST(Fire, FlamesLightThePaperNextToThem) {
     const Colour more = test::linear_colour(lit, x, y) - test::linear_colour(unlit, x, y);
     EXPECT_GT(more.x(), 0.002f);
     EXPECT_GT(more.x(), more.z());
+}
+
+// A printed sheet seen through gas that is not itself seen.
+RenderParams through_clear_gas(double haze) {
+    RenderParams params;
+    params.camera.azimuth = params.camera.elevation = 0;
+    params.look.flame_light = params.look.flame_brightness = params.look.smoke = 0;
+    params.look.haze = haze;
+    Image stripes{256, 4, {}};
+    for (int i = 0; i < 256 * 4; ++i) {
+        const auto ink = static_cast<std::uint8_t>(i / 4 % 2 == 0 ? 0 : 255);
+        stripes.rgba.insert(stripes.rgba.end(), {ink, ink, ink, 255});
+    }
+    params.printed.front = std::make_shared<const PictureFile>(
+        PictureFile{"stripes", 256, 4, std::move(stripes.rgba)});
+    return params;
+}
+
+TEST(Fire, HotGasBendsWhatIsSeenThroughItAndNothingElse) {
+    GlRig rig;
+    StagedWorld staged = test::hanging_sheet(16, 24);
+    const auto draw = [&](double haze) {
+        return rig.draw(staged.view(), through_clear_gas(haze), 960, 540);
+    };
+    EXPECT_TRUE(compare(draw(0), draw(3)).identical()) << "no gas";
+    for (int i = 0; i < 400; ++i)
+        staged.add_particle({0.00005 * i, 0.30, 0.05}, test::kFlame);
+    const Image straight = draw(0), bent = draw(3);
+    double sum = 0, change = 0;
+    int near = 0, far = 0;
+    for (int y = 0; y < 540; ++y) {
+        for (int x = 0; x < 960; ++x) {
+            const float more = test::luminance(test::linear_colour(bent, x, y)) -
+                               test::luminance(test::linear_colour(straight, x, y));
+            sum += static_cast<double>(more);
+            change += static_cast<double>(std::abs(more));
+            if (std::abs(more) < 0.02f) continue;
+            const bool in_reach = std::abs(x - 480) < 150 && std::abs(y - 270) < 200;
+            ++(in_reach ? near : far);
+        }
+    }
+    EXPECT_GT(near, 500);
+    EXPECT_EQ(far, 0);
+    EXPECT_LT(std::abs(sum), 0.1 * change) << "light is moved, not made";
 }
 
 }  // namespace
