@@ -4,7 +4,7 @@ namespace ember {
 namespace {
 
 constexpr double kHaze = 1.5e-5;  // [m^2] shift by how fast gas thickens across the picture [1/m]
-constexpr int kBloomPart = 4;   // bloom has this fraction of the picture's width and height
+constexpr int kBloomPart = 4;     // bloom has this fraction of the picture's width and height
 
 void attach(const Framebuffer& framebuffer, const Texture& colour) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());

@@ -104,7 +104,7 @@ constexpr ParamInfo kRows[] = {
                                              "Where the camera stands around the paper."),
     real<&R::camera, &CameraParams::elevation>("camera.elevation", unit::degree, {-89, 89},
                                                {-30, 60}, Linear, "How far it looks down."),
-    real<&R::camera, &CameraParams::distance>("camera.distance", unit::metre, {0.02, 20}, {0.2, 3},
+    real<&R::camera, &CameraParams::distance>("camera.distance", unit::metre, {0.02, 20}, {0.05, 3},
                                               Logarithmic, "From the target."),
     real<&R::camera, &CameraParams::field_of_view>("camera.field_of_view", unit::degree, {1, 150},
                                                    {15, 70}, Linear, "Vertical angle of view."),
