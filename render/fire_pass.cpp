@@ -23,7 +23,8 @@ FirePass::FirePass()
 bool FirePass::prepare(const PassInput& in) {
     const LookParams& look = in.params.look;
     FireSprites fire = gather_fire_sprites(
-        *in.frame.world, {look.flame_size, look.flame_share, look.smoke, look.sparks}, in.camera);
+        *in.frame.world, in.fire, {look.flame_size, look.flame_share, look.smoke, look.sparks},
+        in.camera);
     flames_ = static_cast<GLsizei>(fire.flames);
     sparks_ = static_cast<GLsizei>(fire.sprites.size() - fire.flames);
     if (fire.sprites.empty()) return false;

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/flame_lights.h"
-
 namespace ember {
 namespace {
 
@@ -37,10 +35,20 @@ double random_of(std::uint64_t id, std::uint64_t lane) {
 struct Flying {
     Eigen::Vector3d at, velocity;  // [m], [m/s]
     double age, life, heat;        // [s], [1], [1]
+    double gas;                    // [particles] around it, FireCells::gas_at()
     std::uint64_t id;
 };
 
+// Share of their lives for which particles are seen as flames where so many are. Small fires have
+// low flames: their height grows with the heat that they release to the power of 1, if the gas is
+// calm, to 2/5, if it is turbulent (G. Heskestad, Fire Safety Journal 5, 1983); between both, 1/2.
+double flame_share(double gas) {
+    constexpr double kFull = 240, kLowest = 0.4;
+    return std::clamp(std::sqrt(gas / kFull), kLowest, 1.0);
+}
+
 FireSprite tongue(const Flying& p, const FireLook& look) {
+    const double life = std::min(p.life / flame_share(p.gas), 1.0);
     const double kind = random_of(p.id, 1), length = random_of(p.id, 2), width = random_of(p.id, 3);
     const double speed = p.velocity.norm();
     // from where it was born to where it is while it grows; later it has come off the paper
@@ -53,18 +61,18 @@ FireSprite tongue(const Flying& p, const FireLook& look) {
                         0.5 * p.velocity.z())
             .normalized();
     const double glows = smooth(0.03, 0.18, p.heat);
-    const double fade = glows * smooth(0.0, 0.35, p.life) * (1.0 - smooth(0.70, 1.0, p.life));
+    const double fade = glows * smooth(0.0, 0.35, life) * (1.0 - smooth(0.70, 1.0, life));
     FireSprite s;
     s.tail = (p.at - 0.80 * reach * axis).cast<float>();
     s.head = (p.at + 0.45 * reach * axis).cast<float>();
-    s.half_width = static_cast<float>(size * (0.36 + 0.34 * smooth(0.0, 0.3, p.life)));
+    s.half_width = static_cast<float>(size * (0.36 + 0.34 * smooth(0.0, 0.3, life)));
     s.row = static_cast<float>(std::min(kTongueRows - 1, static_cast<int>(kind * kTongueRows)));
-    s.frame = static_cast<float>((kFrames - 1.01) * p.life);
+    s.frame = static_cast<float>((kFrames - 1.01) * life);
     s.mirror = random_of(p.id, 4) < 0.5 ? -1.0f : 1.0f;
     s.heat = static_cast<float>(0.35 + 0.65 * p.heat);
     s.flame = static_cast<float>(fade);
-    s.blue = static_cast<float>(0.8 * glows * smooth(0.0, 0.06, p.life) *
-                                (1.0 - smooth(0.10, 0.40, p.life)));
+    s.blue = static_cast<float>(0.8 * glows * smooth(0.0, 0.06, life) *
+                                (1.0 - smooth(0.10, 0.40, life)));
     s.smoke = 0;
     return s;
 }
@@ -179,8 +187,8 @@ double fire_rank(std::uint64_t id, const FireLook& look) {
     return role_of(id, look).rank;
 }
 
-FireSprites gather_fire_sprites(const WorldView& world, const FireLook& look,
-                                const Camera& camera) {
+FireSprites gather_fire_sprites(const WorldView& world, const FireCells& cells,
+                                const FireLook& look, const Camera& camera) {
     FireSprites out;
     std::vector<FireSprite> sparks;
     const ParticleView& v = world.particles;
@@ -197,9 +205,13 @@ FireSprites gather_fire_sprites(const WorldView& world, const FireLook& look,
         const FirePart part = role.part;
         share = drawn_share(role, v.x.size());
         if (share <= 0) continue;
-        const Flying p{{v.x[i], v.y[i], v.z[i]}, {v.vx[i], v.vy[i], v.vz[i]},
-                       world.time - v.birth[i],  particle_life(world, i),
-                       particle_heat(world, i),  v.id[i]};
+        const Flying p{{v.x[i], v.y[i], v.z[i]},
+                       {v.vx[i], v.vy[i], v.vz[i]},
+                       world.time - v.birth[i],
+                       particle_life(world, i),
+                       particle_heat(world, i),
+                       cells.gas_at({v.x[i], v.y[i], v.z[i]}),
+                       v.id[i]};
         if (part == FirePart::Tongue) add(tongue(p, look), out.sprites);
         if (part == FirePart::Base && p.age < kBaseLife) add(base(p, look), out.sprites);
         if (part == FirePart::Smoke && look.smoke > 0) add(smoke(p, look), out.sprites);

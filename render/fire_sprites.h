@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/camera.h"
-#include "sim/world_view.h"
+#include "render/fire_cells.h"
 
 namespace ember {
 
@@ -44,8 +44,9 @@ struct FireLook {
 [[nodiscard]] double fire_rank(std::uint64_t id, const FireLook& look);
 
 /// All sprites that are at least partly in the picture. Each is a pure function of its particle's
-/// number, age and flight, and fades in and out, so that nothing pops.
-[[nodiscard]] FireSprites gather_fire_sprites(const WorldView& world, const FireLook& look,
-                                              const Camera& camera);
+/// number, age and flight and of how much fire is around it (`cells` of the same world), and fades
+/// in and out, so that nothing pops.
+[[nodiscard]] FireSprites gather_fire_sprites(const WorldView& world, const FireCells& cells,
+                                              const FireLook& look, const Camera& camera);
 
 }  // namespace ember

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "sim/world_view.h"
+#include "render/fire_cells.h"
 
 namespace ember {
 
@@ -17,17 +17,10 @@ struct FlameLights {
     int count = 0;
 };
 
-/// Shares particles out to the corners of coarse cells of the world; the strongest corners become
-/// lights, each at the centre of what it has got. Continuous in time: a light comes and goes with
-/// strength 0. Soot hides the soot behind it, so particles that add up
-/// to a strength S give lights that add up to S / (1 + S / kDeepestFire). The same fire gives the
-/// same lights, in the same order.
-[[nodiscard]] FlameLights gather_flame_lights(const WorldView& world);
-
-/// Share of its life that a particle has lived, 0 .. 1.
-[[nodiscard]] double particle_life(const WorldView& world, std::size_t particle);
-
-/// Heat u of a particle: 1 at birth temperature, 0 at ambient.
-[[nodiscard]] double particle_heat(const WorldView& world, std::size_t particle);
+/// The corners of cells that shine most become lights, each at the centre of what it has got.
+/// Continuous in time: a light comes and goes with strength 0. Soot hides the soot behind it, so
+/// particles that add up to a strength S give lights that add up to S / (1 + S / kDeepestFire). The
+/// same fire gives the same lights, in the same order.
+[[nodiscard]] FlameLights gather_flame_lights(const FireCells& fire);
 
 }  // namespace ember

@@ -25,6 +25,7 @@ struct PassInput {
     const Frame& frame;
     const RenderParams& params;
     const Camera& camera;
+    const FireCells& fire;
     const FlameLights& lights;
     const Lighting& lighting;
     const Bounds& bounds;                      ///< of the paper

@@ -110,7 +110,8 @@ void Renderer::draw(const Frame& frame, const RenderParams& params, int width, i
     Passes& p = *passes_;
     const WorldView& world = *frame.world;
     const Camera camera = make_camera(params.camera, width, height);
-    const FlameLights lights = gather_flame_lights(world);
+    const FireCells fire_cells(world);
+    const FlameLights lights = gather_flame_lights(fire_cells);
     const Lighting lighting = lighting_of(params.look.lighting, params.look.light_azimuth);
     const Bounds bounds = bounds_of(world);
     const Eigen::Matrix4f to_shadow = shadow_from_world(bounds, lighting.key_direction);
@@ -120,9 +121,10 @@ void Renderer::draw(const Frame& frame, const RenderParams& params, int width, i
     const bool paper = !lattice && p.sheets.prepare(frame, params, height);
     if (p.observer) p.observer("vertices");
     const bool shadow = paper && beauty && params.look.key_light > 0;
-    const PassInput in{frame,    params, camera,    lights,
-                       lighting, bounds, to_shadow, shadow ? p.shadow.texture() : p.shadow.none(),
-                       paper,    width,  height};
+    const PassInput in{frame,      params,    camera,
+                       fire_cells, lights,    lighting,
+                       bounds,     to_shadow, shadow ? p.shadow.texture() : p.shadow.none(),
+                       paper,      width,     height};
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);

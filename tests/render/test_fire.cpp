@@ -77,8 +77,8 @@ TEST(Fire, ACloudOfHotParticlesIsBrightAndOfColdOnesIsNot) {
     GlRig rig;
     const auto brightest = [&](double kelvin) {
         StagedWorld staged = test::hanging_sheet(4, 6);
-        for (int i = 0; i < 40; ++i)
-            staged.add_particle({0.14 + 0.0005 * i, 0.35, 0}, kelvin);
+        for (int i = 0; i < 80; ++i)
+            staged.add_particle({0.14 + 0.00025 * i, 0.35, 0}, kelvin);
         const auto pixels = flame_pixels(rig, staged.view());
         return pixels.size();
     };

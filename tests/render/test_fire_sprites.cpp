@@ -16,8 +16,26 @@ using test::StagedWorld;
 
 constexpr double kLife = 0.5;  // [s]
 
+FireSprites sprites_of(const WorldView& world, const FireLook& look, const Camera& camera) {
+    return gather_fire_sprites(world, FireCells(world), look, camera);
+}
+
 Camera default_camera() {
     return make_camera(CameraParams{}, 640, 360);
+}
+
+// So much of a fire around all places that the particles below come to that flames are at their
+// highest.
+const FireCells& great_fire() {
+    static const FireCells cells = [] {
+        StagedWorld staged = test::hanging_sheet(3, 3);
+        for (int i = 0; i < 300 * 28; ++i) {
+            const Vector3 corner(i % 2, 3 + i / 4 % 7, i / 2 % 2);
+            staged.add_particle(FireCells::kSize * corner, test::kFlame);
+        }
+        return FireCells(staged.view());
+    }();
+    return cells;
 }
 
 // One particle `age` seconds after its birth, rising as fire does.
@@ -47,7 +65,7 @@ Eigen::VectorXd shown(const FireSprite& s) {
 
 Eigen::VectorXd shown_of(std::uint64_t id, double age) {
     const StagedWorld staged = flying(id, age);
-    const FireSprites fire = gather_fire_sprites(staged.view(), {}, default_camera());
+    const FireSprites fire = gather_fire_sprites(staged.view(), great_fire(), {}, default_camera());
     return fire.sprites.empty() ? Eigen::VectorXd(Eigen::VectorXd::Zero(13))
                                 : shown(fire.sprites.front());
 }
@@ -102,16 +120,56 @@ TEST(FireSprites, AReseededParticleDoesPop) {
     EXPECT_GT(jumps, 15);
 }
 
-TEST(FireSprites, TheSameFireIsTheSameWhateverElseBurns) {
-    StagedWorld one = flying(some_id(0), 0.2);
+std::uint64_t tongue_id() {
     std::uint64_t tongue = 0;
     while (fire_part(some_id(tongue), {}) != FirePart::Tongue)
         ++tongue;
-    one.fire_id.back() = some_id(tongue);
-    const auto alone = gather_fire_sprites(one.view(), {}, default_camera());
+    return some_id(tongue);
+}
+
+// So many particles at one place.
+FireCells fire_at(const Vector3& place, int particles) {
+    StagedWorld staged = test::hanging_sheet(3, 3);
+    for (int i = 0; i < particles; ++i)
+        staged.add_particle(place, test::kFlame);
+    return FireCells(staged.view());
+}
+
+// Share of its life for which a tongue is seen, and how much gas is around it then.
+struct Seen {
+    double share = 0, gas = 0;
+};
+
+Seen seen_until(const FireCells& fire) {
+    double low = 0.1, high = 1.0;
+    while (high - low > 1e-3) {
+        const double middle = 0.5 * (low + high);
+        const StagedWorld staged = flying(tongue_id(), middle * kLife);
+        const FireSprites all = gather_fire_sprites(staged.view(), fire, {}, default_camera());
+        const bool seen = !all.sprites.empty() && all.sprites.front().flame > 0.01f;
+        (seen ? low : high) = middle;
+    }
+    const StagedWorld staged = flying(tongue_id(), low * kLife);
+    return {low, fire.gas_at({staged.fire_x[0], staged.fire_y[0], staged.fire_z[0]})};
+}
+
+TEST(FireSprites, SmallFiresHaveLowFlames) {
+    EXPECT_NEAR(seen_until(fire_at({0, 0, 0}, 0)).share, 0.4, 0.03);
+    EXPECT_GT(seen_until(great_fire()).share, 0.95);
+    for (const int particles : {500, 600, 700}) {
+        const Seen seen = seen_until(fire_at({0.02, 0.36, 0.03}, particles));
+        EXPECT_GT(seen.share, 0.45) << particles;
+        EXPECT_LT(seen.share, 0.95) << particles;
+        EXPECT_NEAR(seen.share, std::sqrt(seen.gas / 240), 0.05) << particles;
+    }
+}
+
+TEST(FireSprites, TheSameFireIsTheSameWhateverElseBurns) {
+    StagedWorld one = flying(tongue_id(), 0.1);
+    const auto alone = sprites_of(one.view(), {}, default_camera());
     for (int i = 0; i < 200; ++i)
-        one.add_particle({0.001 * i, 0.3, 0.0}, test::kFlame);
-    const auto among = gather_fire_sprites(one.view(), {}, default_camera());
+        one.add_particle({0.001 * i, 0.3, -0.17}, test::kFlame);  // more than two cells away
+    const auto among = sprites_of(one.view(), {}, default_camera());
     ASSERT_EQ(alone.sprites.size(), 1u);
     ASSERT_GT(among.sprites.size(), 5u);
     EXPECT_EQ(shown(alone.sprites.front()), shown(among.sprites.front()));
@@ -130,7 +188,7 @@ StagedWorld crowd(int particles) {
 TEST(FireSprites, OfACrowdNoMoreAreDrawnAndNoneComesOrGoesAtOnce) {
     const auto drawn = [](int particles) {
         const StagedWorld staged = crowd(particles);
-        return gather_fire_sprites(staged.view(), {}, default_camera());
+        return sprites_of(staged.view(), {}, default_camera());
     };
     const double few = static_cast<double>(drawn(2000).sprites.size());
     const double many = static_cast<double>(drawn(40000).sprites.size());
@@ -155,11 +213,10 @@ TEST(FireSprites, WhatIsOutsideThePictureIsNotDrawn) {
     for (int i = 0; i < 400; ++i)
         staged.add_particle({0, 0.3, 0}, test::kFlame);
     Camera camera = default_camera();
-    EXPECT_GT(gather_fire_sprites(staged.view(), {}, camera).sprites.size(), 20u);
+    EXPECT_GT(sprites_of(staged.view(), {}, camera).sprites.size(), 20u);
     CameraParams away;
     away.target_x = 5.0;
-    EXPECT_EQ(gather_fire_sprites(staged.view(), {}, make_camera(away, 640, 360)).sprites.size(),
-              0u);
+    EXPECT_EQ(sprites_of(staged.view(), {}, make_camera(away, 640, 360)).sprites.size(), 0u);
 }
 
 TEST(FireSprites, ATongueThatComesCloseStopsGrowing) {
@@ -169,7 +226,7 @@ TEST(FireSprites, ATongueThatComesCloseStopsGrowing) {
     CameraParams close;
     close.distance = 0.05;
     const Camera camera = make_camera(close, 640, 360);
-    for (const FireSprite& s : gather_fire_sprites(staged.view(), {}, camera).sprites) {
+    for (const FireSprite& s : sprites_of(staged.view(), {}, camera).sprites) {
         const Eigen::Vector3f middle = 0.5f * (s.tail + s.head);
         const float half_view = camera.tan_half_fov * (middle - camera.eye).norm();
         EXPECT_LT(s.half_width, 0.7f * half_view);

@@ -10,13 +10,13 @@ namespace {
 using test::StagedWorld;
 
 TEST(FlameLights, NoFireIsNoLight) {
-    EXPECT_EQ(gather_flame_lights(test::hanging_sheet(3, 3).view()).count, 0);
+    EXPECT_EQ(gather_flame_lights(FireCells(test::hanging_sheet(3, 3).view())).count, 0);
 }
 
 TEST(FlameLights, ColdParticlesGiveNoLight) {
     StagedWorld staged = test::hanging_sheet(3, 3);
     staged.add_particle({0, 0.3, 0}, test::kAmbient);
-    EXPECT_EQ(gather_flame_lights(staged.view()).count, 0);
+    EXPECT_EQ(gather_flame_lights(FireCells(staged.view())).count, 0);
 }
 
 double light_of(const FlameLights& lights) {
@@ -35,7 +35,7 @@ TEST(FlameLights, ADeepFireIsNotAsBrightAsAllItsParticles) {
     StagedWorld staged = test::hanging_sheet(3, 3);
     for (int i = 0; i < 40000; ++i)
         staged.add_particle({0.02, 0.32, 0.04}, test::kFlame);
-    const double deep = light_of(gather_flame_lights(staged.view()));
+    const double deep = light_of(gather_flame_lights(FireCells(staged.view())));
     EXPECT_LT(deep, kDeepestFire);
     EXPECT_GT(deep, 0.8 * kDeepestFire);
 }
@@ -43,7 +43,7 @@ TEST(FlameLights, ADeepFireIsNotAsBrightAsAllItsParticles) {
 TEST(FlameLights, LampsStandWhereTheParticlesAreAndAddThemUp) {
     StagedWorld staged = test::hanging_sheet(3, 3);
     staged.add_particle({0.02, 0.32, 0.04}, test::kFlame);
-    const FlameLights one = gather_flame_lights(staged.view());
+    const FlameLights one = gather_flame_lights(FireCells(staged.view()));
     ASSERT_GE(one.count, 1);
     for (int i = 0; i < one.count; ++i) {
         EXPECT_NEAR((one.light[static_cast<std::size_t>(i)].head<3>() -
@@ -52,7 +52,7 @@ TEST(FlameLights, LampsStandWhereTheParticlesAreAndAddThemUp) {
                     0, 1e-6);
     }
     staged.add_particle({0.06, 0.36, 0.04}, test::kFlame);
-    const FlameLights two = gather_flame_lights(staged.view());
+    const FlameLights two = gather_flame_lights(FireCells(staged.view()));
     EXPECT_NEAR(total_strength(two), 2 * total_strength(one), 1e-6 * total_strength(two));
     EXPECT_GT(total_strength(one), 0);
 }
@@ -64,12 +64,13 @@ TEST(FlameLights, OfManyTheStrongestAreKeptStrongestFirstAndNoLightIsLost) {
         for (int i = 0; i <= place; ++i, ++particles)
             staged.add_particle({0.24 * place, 0.32, 0.08}, test::kFlame);  // on a corner of cells
     }
-    const FlameLights lights = gather_flame_lights(staged.view());
+    const FlameLights lights = gather_flame_lights(FireCells(staged.view()));
     ASSERT_EQ(lights.count, kMostFlameLights);
     StagedWorld single = test::hanging_sheet(3, 3);
     single.add_particle({0, 0, 0}, test::kFlame);
-    EXPECT_NEAR(total_strength(lights) / total_strength(gather_flame_lights(single.view())),
-                particles, 1e-3 * particles);
+    EXPECT_NEAR(
+        total_strength(lights) / total_strength(gather_flame_lights(FireCells(single.view()))),
+        particles, 1e-3 * particles);
     for (int i = 0; i < lights.count; ++i) {
         EXPECT_NEAR(lights.light[static_cast<std::size_t>(i)].x(), 0.24 * (29 - i), 1e-5);
     }
@@ -84,7 +85,7 @@ TEST(FlameLights, TheLightOnAPlaceChangesAsSlowlyAsTheParticlesMove) {
             staged.add_particle({0.011 * (i % 40) + shift, 0.2 + 0.013 * (i / 17), 0.002 * (i % 9)},
                                 test::kFlame);
         }
-        const FlameLights lights = gather_flame_lights(staged.view());
+        const FlameLights lights = gather_flame_lights(FireCells(staged.view()));
         double sum = 0;
         for (int i = 0; i < lights.count; ++i) {
             const Eigen::Vector4f& l = lights.light[static_cast<std::size_t>(i)];

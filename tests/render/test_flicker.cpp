@@ -47,8 +47,8 @@ Blocks<bool> flame_mask(const WorldView& world, const RenderParams& params) {
     const LookParams& look = params.look;
     Blocks<bool> mask{};
     for (const FireSprite& s :
-         gather_fire_sprites(world, {look.flame_size, look.flame_share, look.smoke, look.sparks},
-                             camera)
+         gather_fire_sprites(world, FireCells(world),
+                             {look.flame_size, look.flame_share, look.smoke, look.sparks}, camera)
              .sprites) {
         const Eigen::Vector3f middle = 0.5f * (s.tail + s.head);
         const Eigen::Vector3f at = project(camera, middle, kWidth, kHeight);

@@ -42,7 +42,7 @@ void StagedWorld::add_particle(const Vector3& position, double kelvin) {
     fire_vy.push_back(0.3);
     fire_vz.push_back(0.0);
     fire_temperature.push_back(kelvin);
-    fire_birth.push_back(time - 0.2);
+    fire_birth.push_back(time - 0.1);
     fire_death.push_back(time + 0.3);
     fire_id.push_back((fire_id.size() + 1) * 0x9E3779B97F4A7C15u);
 }
