@@ -103,11 +103,12 @@ FireSprite base(const Flying& p, const FireLook& look) {
 }
 
 FireSprite smoke(const Flying& p, const FireLook& look) {
+    const double flame = flame_share(p.gas);  // begins where that ends
     FireSprite s =
         soft_spot(p, look.size * (0.5 + 1.5 * p.life) * (0.8 + 0.6 * random_of(p.id, 1)), 1.2);
     s.frame = static_cast<float>(1.0 + (kFrames - 2.01) * random_of(p.id, 2));
     s.mirror = random_of(p.id, 3) < 0.5 ? -1.0f : 1.0f;
-    s.smoke = static_cast<float>(0.22 * look.smoke * smooth(0.40, 0.65, p.life) *
+    s.smoke = static_cast<float>(0.22 * look.smoke * smooth(0.40 * flame, 0.65 * flame, p.life) *
                                  (1.0 - smooth(0.70, 1.0, p.life)));
     return s;
 }
