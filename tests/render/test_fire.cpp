@@ -20,7 +20,7 @@ constexpr int kWidth = 480, kHeight = 270;
 std::vector<Eigen::Vector2i> flame_pixels(GlRig& rig, const WorldView& world) {
     RenderParams params;
     params.look.flame_light = 0;
-    params.look.sparks = 0;  // these fly wherever they like
+    params.look.sparks = params.look.smoke = 0;  // these fly wherever they like, and are no flames
     const Image with = rig.draw(world, params, kWidth, kHeight);
     params.view.flames = false;
     const Image without = rig.draw(world, params, kWidth, kHeight);
