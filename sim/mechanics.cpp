@@ -234,6 +234,9 @@ void prepare_leaps(const Mechanics& m, const double* x, const double* u) {
             const auto begin = static_cast<Index>(ThreadPool::begin_of(part, parts, rows));
             if (span.begin + begin > 0 || m.lattice.closed) splits.push_back(span.begin + begin);
         }
+        // the last row's vectors end in the first row of the next component, another part's
+        const bool whole = span.begin == 0 && span.end == m.lattice.row_count;
+        if (whole && parts > 1 && !m.lattice.closed) splits.push_back(span.end);
     }
     m.old_rows.prepare(m.lattice, {x, u, m.node_count()});
 }
