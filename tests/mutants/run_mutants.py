@@ -135,10 +135,9 @@ Each by the named test, the first of `tests/sim` that fails.
 
 Pictures of 240 x 135 pixels of shipped presets, compared with those that are drawn without a fault
 by the same program. The first tier is equality; the second one, for another version of the
-rasteriser, takes a picture for another when a block of 16 x 16 pixels differs by more than 0.13
-levels on average or more than 0.01 % of the pixels by more than two levels. Named are the first
-pictures in which each notices; pixels that differ, those of them that do by more than two levels,
-and the worst block [levels] are the most of the pictures drawn until both had noticed.
+rasteriser, has the limits of the goldens (`docs/GOLDEN.md`). Named are the first pictures in which
+each notices; pixels that differ, those of them that do by more than two levels, and the worst block
+[levels] are the most of the pictures drawn until both had noticed.
 
 | number | file | fault | exact | second tier | pixels | far | block |
 |---|---|---|---|---|---|---|---|

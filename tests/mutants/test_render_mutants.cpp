@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <map>
 
 #include "burnt_scenes.h"
 #include "render/image_difference.h"
@@ -35,44 +34,17 @@ std::vector<Mutant> mutants() {
     return list;
 }
 
-// Limits of the second tier: what rounding otherwise has been seen to do, and no more.
-constexpr double kBlockLimit = 0.13, kFarPercent = 0.01;
-
+// How far pictures with a fault are from those without: the most of those that were drawn.
 struct Distance {
     std::int64_t pixels = 0, far = 0;  // that differ; by more than two levels
-    double block = 0;                  // [levels] worst mean of 16 x 16 pixels
+    double block = 0;                  // [levels] of the worst block
     std::string exact, close;          // the first scene that each tier notices it in
-
-    [[nodiscard]] bool too_far() const {
-        return block > kBlockLimit ||
-               100.0 * static_cast<double>(far) > kFarPercent * kWidth * kHeight;
-    }
 };
 
-Distance distance(const Image& a, const Image& b) {
-    constexpr int kBlock = 16, kBlocks = (kWidth + kBlock - 1) / kBlock;
-    struct Block {
-        double sum = 0, size = 0;
-    };
-    std::map<int, Block> blocks;
-    Distance d;
-    for (int pixel = 0; pixel < kWidth * kHeight; ++pixel) {
-        int worst = 0, colour = 0;
-        for (int c = 0; c < 4; ++c) {
-            const auto at = static_cast<std::size_t>(4 * pixel + c);
-            const int levels = std::abs(int(a.rgba[at]) - int(b.rgba[at]));
-            worst = std::max(worst, levels);
-            colour += c < 3 ? levels : 0;
-        }
-        d.pixels += worst > 0 ? 1 : 0;
-        d.far += worst > 2 ? 1 : 0;
-        Block& block = blocks[pixel / kWidth / kBlock * kBlocks + pixel % kWidth / kBlock];
-        block.sum += colour / 3.0;
-        block.size += 1.0;
-    }
-    for (const auto& [place, block] : blocks)
-        d.block = std::max(d.block, block.sum / block.size);
-    return d;
+// What the second tier allows (docs/GOLDEN.md).
+const DifferenceLimits& close_limits(ViewMode mode) {
+    return mode == ViewMode::Lattice || mode == ViewMode::Stiffness ? kCloseLineLimits
+                                                                    : kCloseLimits;
 }
 
 class Gallery {
@@ -94,12 +66,13 @@ class Gallery {
         Distance sum;
         for (std::size_t i = 0; i < scenes_.size() && (sum.exact.empty() || sum.close.empty());
              ++i) {
-            const Distance d = distance(expected_[i], draw(scenes_[i]));
-            if (sum.exact.empty() && d.pixels > 0) sum.exact = scenes_[i].name;
-            if (sum.close.empty() && d.too_far()) sum.close = scenes_[i].name;
+            const ImageDifference d = compare(expected_[i], draw(scenes_[i]));
+            const bool far = !excess(d, close_limits(scenes_[i].params.view.mode)).empty();
+            if (sum.exact.empty() && !d.identical()) sum.exact = scenes_[i].name;
+            if (sum.close.empty() && far) sum.close = scenes_[i].name;
             sum.pixels = std::max(sum.pixels, d.pixels);
-            sum.far = std::max(sum.far, d.far);
-            sum.block = std::max(sum.block, d.block);
+            sum.far = std::max(sum.far, d.pixels_over(2));
+            sum.block = std::max(sum.block, d.worst_block);
         }
         ember_mutant = 0;
         return sum;
