@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ember {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 constexpr double kSteepest = 1.55;                   // [rad] just short of looking straight down
 constexpr double kNearest = 0.02, kFarthest = 20.0;  // [m]
 
-constexpr double kDegree = 3.141592653589793 / 180.0;
+constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr CameraView kViews[] = {
     {"front", 0.0, 5 * kDegree, 1.0},         {"three_quarter", 35 * kDegree, 15 * kDegree, 1.0},
     {"side", 80 * kDegree, 5 * kDegree, 1.0}, {"back", 180 * kDegree, 5 * kDegree, 1.0},
@@ -109,7 +110,7 @@ void look_from(CameraParams& params, const CameraView& view) {
 }
 
 void orbit(CameraParams& params, double to_the_right, double upwards) {
-    params.azimuth = std::remainder(params.azimuth + to_the_right, 2.0 * 3.141592653589793);
+    params.azimuth = std::remainder(params.azimuth + to_the_right, 2.0 * std::numbers::pi);
     params.elevation = std::clamp(params.elevation + upwards, -kSteepest, kSteepest);
 }
 

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "render/passes.h"
 
@@ -17,7 +18,7 @@ void append_lighter(const Vector3& at, std::vector<SolidVertex>& v) {
     for (int side = 0; side < kSides; ++side) {
         std::array<SolidVertex, 2> top{}, bottom{};
         for (int end = 0; end < 2; ++end) {
-            const double angle = 2.0 * 3.141592653589793 * (side + end) / kSides;
+            const double angle = 2.0 * std::numbers::pi * (side + end) / kSides;
             const double nx = std::cos(angle), nz = std::sin(angle);
             const auto vertex = [&](double y) {
                 return SolidVertex{static_cast<float>(at.x() + kRadius * nx),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "sim/heat_solver.h"
 
@@ -17,7 +18,7 @@ constexpr double kAdiStep = 11.0;
 // Decay rate of the mode with four half waves in each direction [1/s], from g/C of an uncut
 // inner edge, which is alpha / dx².
 double slow_rate(const Conduction& op) {
-    constexpr double kFourHalfWaves = 4.0 * 3.141592653589793;
+    constexpr double kFourHalfWaves = 4.0 * std::numbers::pi;
     const double across_columns = kFourHalfWaves / std::max(1, op.column_count - 1);
     const double across_rows = kFourHalfWaves / std::max(1, op.row_count - 1);
     return op.even_main * across_columns * across_columns +

@@ -1,6 +1,7 @@
 #include "sim/lattice.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "sim/math.h"
 #include "sim/random.h"
@@ -45,7 +46,7 @@ double length(Slot kind, double row_spacing, double column_spacing) {
 double rest_length(Slot kind, const Lattice& lattice) {
     const double flat = length(kind, lattice.row_spacing, lattice.column_spacing);
     if (!lattice.closed || kind != Slot::BendCross) return flat;
-    return flat * ember::cos(3.141592653589793 / lattice.row_count);
+    return flat * ember::cos(std::numbers::pi / lattice.row_count);
 }
 
 double per_weight(Slot kind, const SpringParams& springs) {

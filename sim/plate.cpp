@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "sim/math.h"
 #include "sim/param_table.h"
@@ -220,7 +221,7 @@ void weaken_plate(const Lattice& lattice, const SheetState& sheet, const Params&
 
 double built_curvature(const Lattice& lattice) {
     if (!lattice.closed) return 0.0;
-    return -2.0 * ember::sin(3.141592653589793 / lattice.row_count) / lattice.row_spacing;
+    return -2.0 * ember::sin(std::numbers::pi / lattice.row_count) / lattice.row_spacing;
 }
 
 }  // namespace ember

@@ -1,6 +1,7 @@
 #include "ui/camera_flight.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace ember {
 
@@ -23,7 +24,7 @@ std::optional<CameraParams> CameraFlight::at(double now) {
     camera.target_y = between(from_.target_y, to_.target_y);
     camera.target_z = between(from_.target_z, to_.target_z);
     // the short way round
-    const double turn = std::remainder(to_.azimuth - from_.azimuth, 2 * 3.141592653589793);
+    const double turn = std::remainder(to_.azimuth - from_.azimuth, 2 * std::numbers::pi);
     camera.azimuth = from_.azimuth + s * turn;
     camera.elevation = between(from_.elevation, to_.elevation);
     camera.field_of_view = between(from_.field_of_view, to_.field_of_view);

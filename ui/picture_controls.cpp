@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "render/camera.h"
@@ -10,7 +11,6 @@
 namespace ember {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr double kOrbitPerPoint = 0.008;  // [rad]
 constexpr double kLampPerPoint = 0.008;   // [rad]
 constexpr double kZoomPerNotch = 1.15;    // [1]
@@ -72,7 +72,8 @@ std::optional<PictureDrag> PictureControls::update(RenderParams& render, CameraS
     if (drag == Drag::Pan) pan(camera, -dx / picture.height, dy / picture.height);
     if (drag == Drag::Zoom) zoom(camera, std::pow(kZoomPerPoint, dx - dy));
     double& lamp = render.look.light_azimuth;
-    if (drag == Drag::TurnLight) lamp = std::remainder(lamp + kLampPerPoint * dx, 2 * kPi);
+    if (drag == Drag::TurnLight)
+        lamp = std::remainder(lamp + kLampPerPoint * dx, 2 * std::numbers::pi);
     if (drag == Drag::Orbit || drag == Drag::Pan || drag == Drag::Zoom || drag == Drag::TurnLight)
         return std::nullopt;
     placing = placing && !(drag == Drag::PlaceLighter && ended);
