@@ -11,8 +11,9 @@ namespace ember {
 void float_attribute(GLuint index, GLint count, std::size_t stride, std::size_t offset,
                      GLuint divisor) {
     glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                          reinterpret_cast<const void*>(offset));
+    // OpenGL's type for an offset into a buffer is a pointer
+    const auto* place = reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+    glVertexAttribPointer(index, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), place);
     glVertexAttribDivisor(index, divisor);
 }
 
