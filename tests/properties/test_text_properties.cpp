@@ -1,6 +1,8 @@
 // What is written reads back, and the order in which things are said does not matter.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "../app/preset_rig.h"
 #include "app/exit_code.h"
@@ -132,6 +134,23 @@ TEST(TextProperties, FrameListsAreTheUnionOfTheirPartsInAnyOrder) {
         for (const long frame : frames)
             listed += (listed.empty() ? "" : ",") + std::to_string(frame);
         RC_ASSERT(parse_frames(listed) == frames);
+    });
+}
+
+TEST(TextProperties, TimesAreThoseOfTheirTextInOrder) {
+    expect_property([] {
+        std::vector<double> times;
+        std::string text;
+        const int count = *rc::gen::inRange(1, 12);
+        for (int i = 0; i < count; ++i) {
+            times.push_back(number_in(0, 1e4));
+            std::array<char, 32> digits{};
+            std::snprintf(digits.data(), digits.size(), "%.17g", times.back());
+            text += (i == 0 ? "" : ",") + std::string(digits.data());
+        }
+        std::ranges::sort(times);
+        RC_ASSERT(parse_times(text) == times);
+        RC_ASSERT_THROWS_AS(static_cast<void>(parse_times(text + ",-1")), InputError);
     });
 }
 
