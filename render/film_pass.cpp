@@ -68,7 +68,7 @@ void FilmPass::resolve(bool depth) {
 
 void FilmPass::bind_inputs(const Program& program, const PassInput& in, const FilmInput& film) {
     program.use();
-    bind_texture(0, colour_);
+    bind_texture(0, film.haze ? hazy_ : colour_);
     bind_texture(1, film.fire != nullptr ? *film.fire : colour_);
     bind_texture(2, bloom_);
     bind_texture(3, film.background != nullptr ? *film.background : colour_);
@@ -80,6 +80,30 @@ void FilmPass::bind_inputs(const Program& program, const PassInput& in, const Fi
     program.set("u_exposure", static_cast<float>(in.params.look.exposure));
     const bool blooms = film.bloom && in.params.look.bloom > 0;
     program.set("u_bloom_share", blooms ? static_cast<float>(in.params.look.bloom) : 0.0f);
+}
+
+void FilmPass::haze(const PassInput& in, const Texture& gas) {
+    if (hazy_width_ != width_ || hazy_height_ != height_) {
+        hazy_width_ = width_;
+        hazy_height_ = height_;
+        allocate(hazy_, GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, width_, height_);
+        attach(hazy_target_, hazy_);
+        check_complete();
+    }
+    glDisable(GL_DEPTH_TEST);
+    glBindFramebuffer(GL_FRAMEBUFFER, hazy_target_.name());
+    glViewport(0, 0, width_, height_);
+    haze_.use();
+    bind_texture(0, colour_);
+    bind_texture(1, gas);
+    haze_.set("u_scene", 0);
+    haze_.set("u_gas", 1);
+    haze_.set("u_pixels", Eigen::Vector2f(static_cast<float>(width_), static_cast<float>(height_)));
+    const double pixels = height_ / metres_high(in.params.camera);  // in a metre
+    haze_.set("u_haze", static_cast<float>(kHaze * in.params.look.haze * pixels * pixels));
+    glBindVertexArray(empty_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
 }
 
 void FilmPass::bloom(const PassInput& in, const FilmInput& film) {
@@ -114,13 +138,6 @@ void FilmPass::develop(const PassInput& in, const FilmInput& film) {
     // quantities are colours to be read, not light to be developed
     film_.set("u_plain", film.linear ? 2 : in.params.view.mode != ViewMode::Beauty ? 1 : 0);
     film_.set("u_transparent", in.params.view.transparent ? 1 : 0);
-    const bool haze = film.gas != nullptr;
-    bind_texture(4, haze ? *film.gas : colour_);
-    film_.set("u_gas", 4);
-    const double pixels = height_ / metres_high(in.params.camera);  // in a metre
-    film_.set("u_haze",
-              haze ? static_cast<float>(kHaze * in.params.look.haze * pixels * pixels) : 0.0f);
-    film_.set("u_pixels", Eigen::Vector2f(static_cast<float>(width_), static_cast<float>(height_)));
     glBindVertexArray(empty_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);

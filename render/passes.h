@@ -197,7 +197,7 @@ class FirePass {
 struct FilmInput {
     const Texture* background = nullptr;  ///< null: nothing, the picture is transparent
     const Texture* fire = nullptr;        ///< null: no fire
-    const Texture* gas = nullptr;         ///< FirePass::amounts(); null: gas bends no light
+    bool haze = false;                    ///< whether haze() has bent the scene's light
     bool bloom = false;                   ///< whether anything can be too bright for the film
     bool linear = false;                  ///< light as it is, rather than developed
     unsigned target = 0;                  ///< framebuffer
@@ -210,6 +210,8 @@ class FilmPass {
     void begin(int width, int height, int samples);
     void resolve(bool depth);  ///< to one sample per pixel; without the depth it holds nothing
     [[nodiscard]] const Texture& depth() const { return depth_; }
+    /// Bends the scene's light. Only before develop() with haze. `gas`: FirePass::amounts().
+    void haze(const PassInput& in, const Texture& gas);
     /// Spreads what is too bright. Only before develop() with bloom.
     void bloom(const PassInput& in, const FilmInput& film);
     /// Develops the scene and the fire.
@@ -219,11 +221,13 @@ class FilmPass {
     void allocate_buffers(int width, int height);
     void bind_inputs(const Program& program, const PassInput& in, const FilmInput& film);
     int samples_ = 0, width_ = 0, height_ = 0;
-    Program bright_{"screen", "bright"}, blur_{"screen", "blur"}, film_{"screen", "film"};
+    int hazy_width_ = 0, hazy_height_ = 0;
+    Program haze_{"screen", "haze"}, bright_{"screen", "bright"}, blur_{"screen", "blur"},
+        film_{"screen", "film"};
     VertexArray empty_;
     Renderbuffer multi_colour_, multi_depth_;
-    Texture colour_, depth_, bloom_, spare_;
-    Framebuffer multi_, single_, bloom_target_, spare_target_;
+    Texture colour_, depth_, hazy_, bloom_, spare_;
+    Framebuffer multi_, single_, hazy_target_, bloom_target_, spare_target_;
 };
 
 /// Renderer::draw_layers: light and its ingredients in floating point.

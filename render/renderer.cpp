@@ -141,7 +141,8 @@ void Renderer::draw(const Frame& frame, const RenderParams& params, int width, i
     if (fire) {
         p.run("fire", p.counters.fire, [&] { p.fire.draw(in, p.film.depth()); });
         film.fire = &p.fire.texture();
-        if (params.look.haze > 0) film.gas = &p.fire.amounts();
+        film.haze = params.look.haze > 0;
+        if (film.haze) p.run("haze", uncounted, [&] { p.film.haze(in, p.fire.amounts()); });
     }
     film.bloom = beauty && !film.linear && params.look.bloom > 0 && anything_glows(world);
     if (film.bloom) p.run("bloom", p.counters.bloom, [&] { p.film.bloom(in, film); });

@@ -6,9 +6,6 @@
 
 in vec2 v_uv;
 uniform sampler2D u_scene, u_fire, u_bloom, u_background;
-uniform sampler2D u_gas;            // r flame, a smoke, as optical depths
-uniform vec2 u_pixels;              // size of the picture
-uniform float u_haze;               // [pixels^2] shift by how fast gas thickens from pixel to pixel
 uniform int u_has_fire, u_plain, u_transparent;
 uniform float u_exposure, u_bloom_share;
 out vec4 o_colour;
@@ -32,27 +29,9 @@ vec3 develop(vec3 c) {
     return ratio * toned;
 }
 
-// Hot gas in the line of sight at `uv`, 0 .. 1.
-float gas_at(vec2 uv) {
-    vec4 amounts = texture(u_gas, uv);
-    float gas = amounts.r + amounts.a;
-    return gas / (gas + 1.0);
-}
-
-// What is seen at v_uv through hot gas: light is bent towards where there is less of it, since hot
-// gas is thin.
-vec2 hazy() {
-    const float kReach = 3.0;       // [pixels] either way, more than those of u_gas
-    vec2 reach = kReach / u_pixels;
-    vec2 slope = vec2(gas_at(v_uv + vec2(reach.x, 0.0)) - gas_at(v_uv - vec2(reach.x, 0.0)),
-                      gas_at(v_uv + vec2(0.0, reach.y)) - gas_at(v_uv - vec2(0.0, reach.y)));
-    return v_uv - u_haze * slope / (2.0 * kReach * u_pixels);
-}
-
 void main() {
-    vec2 seen = u_haze > 0.0 ? hazy() : v_uv;
-    vec4 light = u_haze > 0.0 ? texture(u_scene, seen) : texelFetch(u_scene, ivec2(gl_FragCoord.xy), 0);
-    if (u_transparent == 0) light = vec4(light.rgb + (1.0 - light.a) * texture(u_background, seen).rgb, 1.0);
+    vec4 light = texelFetch(u_scene, ivec2(gl_FragCoord.xy), 0);
+    if (u_transparent == 0) light = vec4(light.rgb + (1.0 - light.a) * texture(u_background, v_uv).rgb, 1.0);
     if (u_has_fire != 0) {
         vec4 fire = texture(u_fire, v_uv);
         light = light * (1.0 - fire.a) + fire;
