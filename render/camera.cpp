@@ -116,7 +116,7 @@ void orbit(CameraParams& params, double to_the_right, double upwards) {
 
 void pan(CameraParams& params, double to_the_right, double upwards) {
     const Frame3 f = frame_of(params);
-    const double height = 2.0 * params.distance * std::tan(0.5 * params.field_of_view);
+    const double height = metres_high(params);
     const Eigen::Vector3d move = height * (to_the_right * f.right + upwards * f.up);
     params.target_x += move.x();
     params.target_y += move.y();

@@ -42,13 +42,13 @@ struct Flying {
 // Share of their lives for which particles are seen as flames where so many are. Small fires have
 // low flames: their height grows with the heat that they release to the power of 1, if the gas is
 // calm, to 2/5, if it is turbulent (G. Heskestad, Fire Safety Journal 5, 1983); between both, 1/2.
-double flame_share(double gas) {
+double flame_height(double gas) {
     constexpr double kFull = 240, kLowest = 0.4;
     return std::clamp(std::sqrt(gas / kFull), kLowest, 1.0);
 }
 
 FireSprite tongue(const Flying& p, const FireLook& look) {
-    const double life = std::min(p.life / flame_share(p.gas), 1.0);
+    const double life = std::min(p.life / flame_height(p.gas), 1.0);
     const double kind = random_of(p.id, 1), length = random_of(p.id, 2), width = random_of(p.id, 3);
     const double speed = p.velocity.norm();
     // from where it was born to where it is while it grows; later it has come off the paper
@@ -103,7 +103,7 @@ FireSprite base(const Flying& p, const FireLook& look) {
 }
 
 FireSprite smoke(const Flying& p, const FireLook& look) {
-    const double flame = flame_share(p.gas);  // begins where that ends
+    const double flame = flame_height(p.gas);  // begins where that ends
     FireSprite s =
         soft_spot(p, look.size * (0.5 + 1.5 * p.life) * (0.8 + 0.6 * random_of(p.id, 1)), 1.2);
     s.frame = static_cast<float>(1.0 + (kFrames - 2.01) * random_of(p.id, 2));
