@@ -45,7 +45,7 @@ vec3 embossed(vec3 n, float height) {
     vec3 across = cross(dy, n), along = cross(n, dx);
     float area = dot(dx, across);
     vec3 slope = sign(area) * (dFdx(height) * across + dFdy(height) * along);
-    return normalize(abs(area) * n - slope);
+    return normalize(max(abs(area), 1e-20) * n - slope);   // of pixels that see nothing, n
 }
 
 // How much of this pixel a line along the edges of the quad covers.
@@ -65,7 +65,6 @@ void main() {
     // torn edges end in fibres
     float torn = to_edge(1) - 0.15 - 0.8 * fibre.b - 0.5 * fibre.a;
     float covered = clamp(torn / max(fwidth(torn), 1e-4) + 0.5, 0.0, 1.0);
-    if (covered < (u_samples > 1 ? 0.02 : 0.5)) discard;
 
     // noise moves the lines, so that they wander as fronts in fibres do
     float charred = v_fields.x + 9.0 * wander.x + 3.0 * (fibre.b - 0.5) + 0.5 * (fibre.a - 0.5);
@@ -135,7 +134,7 @@ void main() {
     // satin sheen of char, faint of paper
     vec3 halfway = normalize(to_eye + u_key_direction);
     float gloss = mix(0.03, (0.16 + 0.20 * ink) * (1.0 - 0.9 * ash), char_share);
-    float fresnel = 0.04 + 0.5 * pow(1.0 - max(dot(n, to_eye), 0.0), 5.0);
+    float fresnel = 0.04 + 0.5 * pow(1.0 - clamp(dot(n, to_eye), 0.0, 1.0), 5.0);
     light += gloss * (u_key * pow(max(dot(n, halfway), 0.0), 22.0) +
                       fresnel * (2.0 * u_sky + 0.4 * kFlameColour * flame.x));
 
@@ -154,6 +153,13 @@ void main() {
     glow += vec3(0.50, 0.055, 0.004) * (burning * hot * (1.0 - smoothstep(0.0, 0.45, crack.r)) *
             smoothstep(0.52, 0.75, fibre.b + 0.5 * (coarse.g - 0.5)));
 
+    light += glow;
+    if (u_wireframe != 0) light = mix(light, vec3(0.05, 0.35, 0.75), 0.8 * on_edge());
+
+    // Last: differences between neighbouring pixels, which textures need, too, are undefined once one
+    // of them is gone. Graphics cards make NaN of them.
+    if (covered < (u_samples > 1 ? 0.02 : 0.5)) discard;
+
     // ingredients, for compositing (PaperLayer)
     if (u_layer == 1) { o_colour = vec4(albedo, 1.0); return; }
     if (u_layer == 2) { o_colour = vec4(glow, 1.0); return; }
@@ -163,7 +169,5 @@ void main() {
         o_colour = vec4(1.0 / gl_FragCoord.w, v_fields.w, phase, 1.0);
         return;
     }
-    light += glow;
-    if (u_wireframe != 0) light = mix(light, vec3(0.05, 0.35, 0.75), 0.8 * on_edge());
     o_colour = vec4(light, u_samples > 1 ? covered : 1.0);
 }

@@ -143,6 +143,54 @@ TEST(Sizes, TheScanMeasuresAFunction) {
     EXPECT_EQ(block_length(file, 5), 3u);
 }
 
+// Where a shader, with `common` before it, asks for differences between neighbouring pixels, itself
+// or through a function, after it may have discarded a pixel: lines of `shader`, from 0.
+std::vector<std::size_t> differences_after_discard(const SourceFile& common,
+                                                   const SourceFile& shader) {
+    std::string asks = "dFdx|dFdy|fwidth|texture";
+    static const std::regex function("^[a-z]\\w* (\\w+)\\(.*");
+    std::vector<std::size_t> found;
+    std::string name;
+    bool discarded = false;
+    const auto scan = [&](const SourceFile& file, bool report) {
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            const std::string line = file.lines[i].substr(0, file.lines[i].find("//"));
+            std::smatch match;
+            if (std::regex_match(line, match, function)) name = match[1];
+            if (!name.empty() && std::regex_search(line, std::regex("\\b(" + asks + ")\\("))) {
+                if (name != "main") asks += '|' + name;
+                if (discarded && report) found.push_back(i);
+            }
+            discarded |= line.find("discard;") < line.size();
+        }
+    };
+    scan(common, false);
+    scan(shader, true);
+    return found;
+}
+
+TEST(Shaders, ADiscardComesAfterAllDifferencesBetweenPixels) {
+    const SourceFile common = read(kRoot / "shaders/common.glsl");
+    std::size_t discards = 0;
+    for (const SourceFile& file : files_below({"shaders"}, {".frag"})) {
+        for (const std::string& line : file.lines)
+            discards += line.find("discard;") < line.size();
+        for (const std::size_t i : differences_after_discard(common, file))
+            ADD_FAILURE() << file.name << ':' << i + 1
+                          << " has undefined derivatives, NaN on some graphics cards";
+    }
+    EXPECT_GT(discards, 1u) << "the scan has found the discards";
+}
+
+TEST(Shaders, TheScanSeesThroughFunctions) {
+    const SourceFile common{"", {"vec3 f(vec2 p) {", "    return texture(u_map, p).rgb;", "}"}};
+    const SourceFile shader{"",
+                            {"void main() {", "    float wide = fwidth(x);", "    vec3 a = f(uv);",
+                             "    if (wide > 1.0) discard;", "    // fwidth(x)",
+                             "    vec3 b = f(uv);", "    float c = dFdx(x);", "}"}};
+    EXPECT_EQ(differences_after_discard(common, shader), (std::vector<std::size_t>{5, 6}));
+}
+
 TEST(Names, NoPathOfOneMachineIsInTheRepository) {
     const std::regex machine("/(work|home|root|Users)/[A-Za-z]");
     std::vector<SourceFile> files =
