@@ -8,10 +8,13 @@
 #include <GL/osmesa.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <vector>
 
 namespace ember {
 namespace {
+
+constexpr const char* kSoftwareOnly = "LIBGL_ALWAYS_SOFTWARE";  // Mesa's own
 
 // A shared library opened at run time.
 class Library {
@@ -82,15 +85,61 @@ class EglContext final : public OffscreenContext {
     EglContext() : library_("libEGL.so.1") {
         loader_ = library_.find<__eglMustCastToProperFunctionPointerType(const char*)>(
             "eglGetProcAddress");
+        make_current_ = library_.find<EGLBoolean(EGLDisplay, EGLSurface, EGLSurface, EGLContext)>(
+            "eglMakeCurrent");
+        for (EGLDeviceEXT card : graphics_cards()) {
+            if (open(EGL_PLATFORM_DEVICE_EXT, card)) return;
+        }
+        if (!open(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY))
+            throw RenderError("no graphics card and no surfaceless display with OpenGL 3.3 core");
+    }
+    ~EglContext() override {
+        make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        library_.find<EGLBoolean(EGLDisplay, EGLContext)>("eglDestroyContext")(display_, context_);
+        terminate();
+    }
+    EglContext(const EglContext&) = delete;
+    EglContext& operator=(const EglContext&) = delete;
+
+    [[nodiscard]] GlLoader loader() const override { return loader_; }
+    [[nodiscard]] std::string_view name() const override { return "egl"; }
+
+  private:
+    template <class Function>
+    [[nodiscard]] Function extension(const char* name) const {
+        return reinterpret_cast<Function>(loader_(name));
+    }
+
+    // Devices that are hardware, unless Mesa is asked to do without. A vendor's driver knows these
+    // only, and no surfaceless display.
+    [[nodiscard]] std::vector<EGLDeviceEXT> graphics_cards() const {
+        const auto query_devices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+        const auto query_string =
+            extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+        EGLint count = 0;
+        if (std::getenv(kSoftwareOnly) != nullptr || query_devices == nullptr || query_string == nullptr ||
+            query_devices(0, nullptr, &count) == EGL_FALSE || count <= 0)
+            return {};
+        std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
+        if (query_devices(count, devices.data(), &count) == EGL_FALSE) return {};
+        devices.resize(static_cast<std::size_t>(count));
+        std::erase_if(devices, [&](EGLDeviceEXT device) {
+            const char* extensions = query_string(device, EGL_EXTENSIONS);
+            return extensions != nullptr && std::strstr(extensions, "EGL_MESA_device_software");
+        });
+        return devices;
+    }
+
+    // Makes a context of that display current; leaves nothing behind where it has none.
+    [[nodiscard]] bool open(EGLenum platform, void* native) {
         const auto platform_display =
-            reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(loader_("eglGetPlatformDisplayEXT"));
+            extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
         if (platform_display == nullptr) throw RenderError("no platform displays");
-        display_ = platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+        display_ = platform_display(platform, native, nullptr);
         const auto initialize =
             library_.find<EGLBoolean(EGLDisplay, EGLint*, EGLint*)>("eglInitialize");
-        if (display_ == EGL_NO_DISPLAY || initialize(display_, nullptr, nullptr) == EGL_FALSE) {
-            throw RenderError("no surfaceless display");
-        }
+        if (display_ == EGL_NO_DISPLAY || initialize(display_, nullptr, nullptr) == EGL_FALSE)
+            return false;
         library_.find<EGLBoolean(EGLenum)>("eglBindAPI")(EGL_OPENGL_API);
         const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                      3,
@@ -102,26 +151,15 @@ class EglContext final : public OffscreenContext {
         const auto create =
             library_.find<EGLContext(EGLDisplay, EGLConfig, EGLContext, const EGLint*)>(
                 "eglCreateContext");
-        make_current_ = library_.find<EGLBoolean(EGLDisplay, EGLSurface, EGLSurface, EGLContext)>(
-            "eglMakeCurrent");
         context_ = create(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-        if (context_ == EGL_NO_CONTEXT ||
-            make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
-            throw RenderError("no OpenGL 3.3 core context");
-        }
+        if (context_ != EGL_NO_CONTEXT &&
+            make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_FALSE)
+            return true;
+        terminate();
+        return false;
     }
-    ~EglContext() override {
-        make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        library_.find<EGLBoolean(EGLDisplay, EGLContext)>("eglDestroyContext")(display_, context_);
-        library_.find<EGLBoolean(EGLDisplay)>("eglTerminate")(display_);
-    }
-    EglContext(const EglContext&) = delete;
-    EglContext& operator=(const EglContext&) = delete;
+    void terminate() const { library_.find<EGLBoolean(EGLDisplay)>("eglTerminate")(display_); }
 
-    [[nodiscard]] GlLoader loader() const override { return loader_; }
-    [[nodiscard]] std::string_view name() const override { return "egl"; }
-
-  private:
     Library library_;
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
@@ -152,6 +190,7 @@ std::unique_ptr<OffscreenContext> OffscreenContext::create(GlBackend backend) {
 }
 
 void pin_software_rasteriser() {
+    ::setenv(kSoftwareOnly, "1", 1);
     ::setenv("GALLIUM_DRIVER", "llvmpipe", 1);
     ::setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
 }

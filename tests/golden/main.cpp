@@ -1,7 +1,7 @@
 // One test per row of scenes.txt, named as it is. docs/GOLDEN.md says how to use it.
 //
-// golden [--gtest_filter=SUITE.NAME] [--as-it-is] [--approved FOLDER] [--report FILE]
-// golden --update REASON [--gtest_filter=SUITE.NAME]
+// golden [--gtest_filter=SUITE.NAME] [--as-it-is | --graphics-card] [--approved FOLDER] [--report
+// FILE] golden --update REASON [--gtest_filter=SUITE.NAME]
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -36,6 +36,8 @@ Arguments read(int count, char** words) {
             arguments.reason = value();
         } else if (word == "--as-it-is") {
             arguments.runner.rasteriser = Rasteriser::AsItIs;
+        } else if (word == "--graphics-card") {
+            arguments.runner.rasteriser = Rasteriser::GraphicsCard;
         } else if (word == "--approved") {
             arguments.runner.approved = std::filesystem::absolute(value());
         } else if (word == "--report") {

@@ -21,7 +21,7 @@ Action action_of(const std::string& key) {
 class PanelStage final : public Stage, private DeskRig {
   public:
     PanelStage(const std::filesystem::path& preset, Rasteriser rasteriser) {
-        choose_rasteriser(rasteriser);
+        backend_ = choose_rasteriser(rasteriser);
         Params params;
         const std::vector bindings{bind(params)};
         static_cast<void>(load_preset(preset, bindings));

@@ -7,7 +7,6 @@
 #include "app/run_options.h"
 #include "app/shot_record.h"
 #include "golden/stage.h"
-#include "render/offscreen_context.h"
 #include "render/renderer.h"
 #include "sim/param_table.h"
 
@@ -64,8 +63,7 @@ class PictureStage final : public Stage {
   public:
     PictureStage(const std::filesystem::path& preset, Rasteriser rasteriser)
         : preset_(load_preset_file(preset)), world_(build_world(preset_, 1)) {
-        choose_rasteriser(rasteriser);
-        context_ = OffscreenContext::create(GlBackend::OsMesa);
+        context_ = OffscreenContext::create(choose_rasteriser(rasteriser));
         renderer_ = std::make_unique<Renderer>(context_->loader());
         std::vector bindings{bind(preset_.params)};
         parameters_ = text_hash(preset_text(bindings, {}));
@@ -137,12 +135,13 @@ std::unique_ptr<Stage> picture_stage(const std::filesystem::path& preset, Raster
     return std::make_unique<PictureStage>(preset, rasteriser);
 }
 
-void choose_rasteriser(Rasteriser rasteriser) {
+GlBackend choose_rasteriser(Rasteriser rasteriser) {
     if (rasteriser == Rasteriser::Pinned) {
         pin_software_rasteriser();
-    } else {
-        ::unsetenv("GALLIUM_OVERRIDE_CPU_CAPS");
+        return GlBackend::OsMesa;
     }
+    ::unsetenv("GALLIUM_OVERRIDE_CPU_CAPS");
+    return rasteriser == Rasteriser::AsItIs ? GlBackend::OsMesa : GlBackend::Egl;
 }
 
 Environment present_environment(const std::string& renderer) {

@@ -4,12 +4,14 @@
 #include <memory>
 
 #include "golden/verdict.h"
+#include "render/offscreen_context.h"
 
 namespace ember::golden {
 
 enum class Rasteriser {
     Pinned,  ///< the software rasteriser with the instructions that every x86-64 processor has
     AsItIs,  ///< with what this processor has: another environment
+    GraphicsCard,  ///< through EGL: another environment
 };
 
 /// Owns an OpenGL context; only one may exist at a time.
@@ -27,8 +29,8 @@ class Stage {
 [[nodiscard]] std::unique_ptr<Stage> panel_stage(const std::filesystem::path& preset,
                                                  Rasteriser rasteriser);
 
-/// Before the first context of the process.
-void choose_rasteriser(Rasteriser rasteriser);
+/// Before the first context of the process. Returns what its contexts are to be made with.
+[[nodiscard]] GlBackend choose_rasteriser(Rasteriser rasteriser);
 /// Of the current context.
 [[nodiscard]] Environment present_environment(const std::string& renderer);
 

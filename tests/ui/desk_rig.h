@@ -26,7 +26,7 @@ class DeskRig : public ::testing::Test {
     // Of that size, with text `scale` times as large.
     void open(int width, int height, float scale, const std::filesystem::path& preset) {
         width_ = width, height_ = height;
-        context_ = OffscreenContext::create(GlBackend::OsMesa);
+        context_ = OffscreenContext::create(backend_);
         ImGui::CreateContext();
         apply_theme(scale);
         ImGuiIO& io = ImGui::GetIO();
@@ -113,6 +113,7 @@ class DeskRig : public ::testing::Test {
         return pixels;
     }
 
+    GlBackend backend_ = GlBackend::OsMesa;
     int width_ = 0, height_ = 0;
     double time_ = 0;
     TemporaryFolder folder_;
