@@ -4,6 +4,7 @@
 #include <glad/gl.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <string>
 
 #include "render/offscreen_context.h"
@@ -12,9 +13,16 @@
 
 namespace ember::test {
 
-inline std::unique_ptr<OffscreenContext> pinned_context(GlBackend backend = GlBackend::OsMesa) {
+inline std::unique_ptr<OffscreenContext> pinned_context(GlBackend backend) {
     pin_software_rasteriser();
     return OffscreenContext::create(backend);
+}
+
+/// The pinned rasteriser, or this machine's card where tests/checks/graphics_card asks for it.
+inline std::unique_ptr<OffscreenContext> tested_context() {
+    if (std::getenv("EMBERLEAF_TEST_CARD") != nullptr)
+        return OffscreenContext::create(GlBackend::Egl);
+    return pinned_context(GlBackend::OsMesa);
 }
 
 /// Makes the running test fail for everything that the driver has to say from now on: errors,
@@ -30,16 +38,18 @@ class DebugOutput {
     }
 
   private:
-    static void note(GLenum source, GLenum, GLuint, GLenum, GLsizei, const GLchar* text,
+    static void note(GLenum source, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* text,
                      const void*) {
-        // a shader that does not compile is an exception already
+        // a shader that does not compile is an exception already; in which memory a buffer is, say,
+        // is no complaint
         if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
+        if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
         ADD_FAILURE() << "OpenGL says: " << text;
     }
 };
 
 struct GlRig {
-    std::unique_ptr<OffscreenContext> context = pinned_context();
+    std::unique_ptr<OffscreenContext> context = tested_context();
     DebugOutput output{context->loader()};
     Renderer renderer{context->loader()};
 
