@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "app/bench/svg.h"
+#include "app/xml_text.h"
 
 namespace ember {
 namespace {

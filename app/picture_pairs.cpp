@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/bench/svg.h"
+#include "app/xml_text.h"
 #include "app/difference_report.h"
 #include "app/exit_code.h"
 #include "app/version.h"

@@ -21,19 +21,20 @@ uniform int u_layer;                    // 0 the picture, else an ingredient (Pa
 out vec4 o_colour;
 
 const float kScorchEnd = 32.0, kEmberEnd = 4.0;     // [mm]
+const int kTornSide = 1, kTornCorner = 16, kBorderSide = 256;   // render/sheet_vertices.h
 
 vec3 look_up(sampler2D table, float x) {
     return texture(table, vec2((clamp(x, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
 
-// Distance to sides of this quad that are torn (1) or also to those at the border (257) [mm].
+// Distance to sides of this quad of these kinds, and to corners where torn sides meet [mm].
 float to_edge(int kinds) {
-    if ((v_edges & (kinds == 1 ? 255 : -1)) == 0) return 1e3;
+    if ((v_edges & (kinds == kTornSide ? 255 : -1)) == 0) return 1e3;
     vec4 side = vec4(v_cell.y, 1.0 - v_cell.x, 1.0 - v_cell.y, v_cell.x) * v_size.yxyx;
     float nearest = 1e3;
     for (int k = 0; k < 4; ++k) {
         if ((v_edges & (kinds << k)) != 0) nearest = min(nearest, side[k]);
-        if ((v_edges & (16 << k)) != 0) nearest = min(nearest, length(vec2(side[k], side[(k + 3) & 3])));
+        if ((v_edges & (kTornCorner << k)) != 0) nearest = min(nearest, length(vec2(side[k], side[(k + 3) & 3])));
     }
     return nearest;
 }
@@ -63,7 +64,7 @@ void main() {
     float drift = 0.7 * (fibre.b + texture(u_fibre, mat2(-0.28, 0.96, -0.96, -0.28) * mm / 57.0).b - 1.0);
 
     // torn edges end in fibres
-    float torn = to_edge(1) - 0.15 - 0.8 * fibre.b - 0.5 * fibre.a;
+    float torn = to_edge(kTornSide) - 0.15 - 0.8 * fibre.b - 0.5 * fibre.a;
     float covered = clamp(torn / max(fwidth(torn), 1e-4) + 0.5, 0.0, 1.0);
 
     // noise moves the lines, so that they wander as fronts in fibres do
@@ -118,7 +119,7 @@ void main() {
                              3e-5 * smoothstep(0.0, 0.5, crack.b)) +
                    1.6e-3 * wander.y * smoothstep(-14.0, 0.0, charred);
     // torn edges are bevelled; what shows between the faces is a wall, which slopes steeply
-    height += u_inside != 0 ? 4e-3 * min(torn, to_edge(257)) : 6e-5 * smoothstep(0.0, 0.14, torn);
+    height += u_inside != 0 ? 4e-3 * min(torn, to_edge(kTornSide | kBorderSide)) : 6e-5 * smoothstep(0.0, 0.14, torn);
     vec3 n = normalize(v_normal);
     vec3 to_eye = normalize(u_eye - v_place);
     if (!faces) n = -n;

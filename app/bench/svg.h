@@ -47,9 +47,6 @@ class SvgPage {
     double width_, height_;
 };
 
-/// `words` with the five characters that XML reserves escaped.
-[[nodiscard]] std::string xml_escaped(std::string_view words);
-
 /// Colour and marker of series number `i`: neighbours differ in both.
 [[nodiscard]] std::string_view series_colour(std::size_t i);
 

@@ -1,7 +1,6 @@
 // A folder that lasts as long as one test.
 #pragma once
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -10,6 +9,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 namespace ember {
 
@@ -28,7 +28,7 @@ class TemporaryFolder {
     }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-    std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::filesystem::path write(const std::string& name, std::string_view text) const {
         std::filesystem::create_directories((path_ / name).parent_path());
         std::ofstream(path_ / name, std::ios::binary) << text;
         return path_ / name;

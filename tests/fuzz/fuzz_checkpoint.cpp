@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "app/checkpoint_format.h"
-#include "fuzz_folder.h"
+#include "promise.h"
 
 namespace ember {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "fuzz_folder.h"
+#include "promise.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::vector<std::string> words;

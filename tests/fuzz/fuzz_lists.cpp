@@ -7,7 +7,7 @@
 #include "app/frame_list.h"
 #include "app/keyframes.h"
 #include "app/sweep_plan.h"
-#include "fuzz_folder.h"
+#include "promise.h"
 
 namespace ember {
 namespace {

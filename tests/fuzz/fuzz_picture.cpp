@@ -1,7 +1,8 @@
 // A picture: its texts, and a sheet's outline from it.
+#include "../app/temporary_folder.h"
 #include "app/preset_io/mask_file.h"
 #include "app/preset_io/png_text.h"
-#include "fuzz_folder.h"
+#include "promise.h"
 #include "sim/param_table.h"
 
 namespace ember {
@@ -17,8 +18,9 @@ bool is_small(const std::uint8_t* data, std::size_t size) {
 }
 
 void read(const std::uint8_t* data, std::size_t size) {
-    static const FuzzFolder folder;
-    const auto path = folder.write("m.png", data, size);
+    static const TemporaryFolder folder;
+    const auto path =
+        folder.write("m.png", std::string_view(reinterpret_cast<const char*>(data), size));
     try {
         for (const auto& [key, text] : read_png_text(path))
             promise(key.size() + text.size() <= size);

@@ -1,9 +1,10 @@
 // A preset: anything is either values within their ranges or errors at a place.
 #include <algorithm>
 
+#include "../app/temporary_folder.h"
 #include "app/preset_io/preset_io.h"
 #include "app/preset_io/steering.h"
-#include "fuzz_folder.h"
+#include "promise.h"
 #include "render/view_params.h"
 #include "sim/param_table.h"
 #include "sim/scene_check.h"
@@ -22,11 +23,13 @@ void build(Params& params, const PresetInfo& info) {
 }
 
 void read(const std::uint8_t* data, std::size_t size) {
-    static const FuzzFolder folder;
+    static const TemporaryFolder folder;
     Params params;
     RenderParams render;
     const ParamBinding bindings[] = {bind(params), bind(render)};
-    const PresetResult result = load_preset(folder.write("p.toml", data, size), bindings);
+    const PresetResult result = load_preset(
+        folder.write("p.toml", std::string_view(reinterpret_cast<const char*>(data), size)),
+        bindings);
     for (const Diagnostic& d : result.diagnostics) {
         promise(!d.text().empty());
         static_cast<void>(d.excerpt());

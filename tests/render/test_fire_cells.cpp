@@ -11,16 +11,8 @@ namespace {
 
 constexpr double kSize = FireCells::kSize;
 
-// `particles` of them at one place, at birth temperature.
-FireCells fire_at(const Vector3& place, int particles) {
-    test::StagedWorld staged = test::hanging_sheet(3, 3);
-    for (int i = 0; i < particles; ++i)
-        staged.add_particle(place, test::kFlame);
-    return FireCells(staged.view());
-}
-
 TEST(FireCells, AParticleIsSharedByTheCornersOfItsCellAndNothingIsLost) {
-    const FireCells fire = fire_at({0.25 * kSize, 0.5 * kSize, -0.125 * kSize}, 1);
+    const FireCells fire = test::fire_at({0.25 * kSize, 0.5 * kSize, -0.125 * kSize}, 1);
     ASSERT_EQ(fire.corners().size(), 8u);
     double gas = 0, light = 0, x = 0, y = 0, z = 0;
     for (const auto& [at, corner] : fire.corners()) {
@@ -38,18 +30,18 @@ TEST(FireCells, AParticleIsSharedByTheCornersOfItsCellAndNothingIsLost) {
 }
 
 TEST(FireCells, GasIsCountedWhereItIsAndNotBeyondTwoCells) {
-    const FireCells at_corner = fire_at({0, 0, 0}, 10);
+    const FireCells at_corner = test::fire_at({0, 0, 0}, 10);
     EXPECT_NEAR(at_corner.gas_at({0, 0, 0}), 10, 1e-13);
     EXPECT_NEAR(at_corner.gas_at({0.5 * kSize, 0, 0}), 5, 1e-13);
     EXPECT_EQ(at_corner.gas_at({1.01 * kSize, 0, 0}), 0);
-    const FireCells in_the_middle = fire_at({0.5 * kSize, 0.5 * kSize, 0.5 * kSize}, 16);
+    const FireCells in_the_middle = test::fire_at({0.5 * kSize, 0.5 * kSize, 0.5 * kSize}, 16);
     EXPECT_NEAR(in_the_middle.gas_at({0.5 * kSize, 0.5 * kSize, 0.5 * kSize}), 2, 1e-13);
     EXPECT_EQ(in_the_middle.gas_at({0.5 * kSize, 2.01 * kSize, 0.5 * kSize}), 0);
 }
 
 TEST(FireCells, NothingJumpsWhereOneCellEndsAndTheNextBegins) {
-    const double before = fire_at({kSize - 1e-9, 0.3 * kSize, 0}, 1).gas_at({kSize, 0, 0});
-    const double after = fire_at({kSize + 1e-9, 0.3 * kSize, 0}, 1).gas_at({kSize, 0, 0});
+    const double before = test::fire_at({kSize - 1e-9, 0.3 * kSize, 0}, 1).gas_at({kSize, 0, 0});
+    const double after = test::fire_at({kSize + 1e-9, 0.3 * kSize, 0}, 1).gas_at({kSize, 0, 0});
     EXPECT_NEAR(before, 0.7, 1e-6);
     EXPECT_NEAR(before, after, 1e-6);
 }

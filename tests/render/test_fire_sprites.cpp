@@ -127,14 +127,6 @@ std::uint64_t tongue_id() {
     return some_id(tongue);
 }
 
-// So many particles at one place.
-FireCells fire_at(const Vector3& place, int particles) {
-    StagedWorld staged = test::hanging_sheet(3, 3);
-    for (int i = 0; i < particles; ++i)
-        staged.add_particle(place, test::kFlame);
-    return FireCells(staged.view());
-}
-
 // Share of its life for which a tongue is seen, and how much gas is around it then.
 struct Seen {
     double share = 0, gas = 0;
@@ -154,10 +146,10 @@ Seen seen_until(const FireCells& fire) {
 }
 
 TEST(FireSprites, SmallFiresHaveLowFlames) {
-    EXPECT_NEAR(seen_until(fire_at({0, 0, 0}, 0)).share, 0.4, 0.03);
+    EXPECT_NEAR(seen_until(test::fire_at({0, 0, 0}, 0)).share, 0.4, 0.03);
     EXPECT_GT(seen_until(great_fire()).share, 0.95);
     for (const int particles : {500, 600, 700}) {
-        const Seen seen = seen_until(fire_at({0.02, 0.36, 0.03}, particles));
+        const Seen seen = seen_until(test::fire_at({0.02, 0.36, 0.03}, particles));
         EXPECT_GT(seen.share, 0.45) << particles;
         EXPECT_LT(seen.share, 0.95) << particles;
         EXPECT_NEAR(seen.share, std::sqrt(seen.gas / 240), 0.05) << particles;

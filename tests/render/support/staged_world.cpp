@@ -125,4 +125,11 @@ StagedWorld burning_sheet(int rows, int columns, int particles) {
     return s;
 }
 
+FireCells fire_at(const Vector3& place, int particles) {
+    StagedWorld staged = hanging_sheet(3, 3);
+    for (int i = 0; i < particles; ++i)
+        staged.add_particle(place, kFlame);
+    return FireCells(staged.view());
+}
+
 }  // namespace ember::test

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/fire_cells.h"
 #include "sim/world_view.h"
 
 namespace ember::test {
@@ -42,5 +43,8 @@ inline constexpr double kBurntOut = 0.13,
 /// The sheet of hanging_sheet(), bent, with a front around its lower left corner: burnt out within
 /// 130 mm, burning up to 160 mm, scorched just ahead; `particles` particles above the front.
 [[nodiscard]] StagedWorld burning_sheet(int rows, int columns, int particles);
+
+/// So many particles at one place, at birth temperature.
+[[nodiscard]] FireCells fire_at(const Vector3& place, int particles);
 
 }  // namespace ember::test
