@@ -1,6 +1,8 @@
 // What tests of presets share.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "app/preset_io/preset_io.h"
 #include "render/view_params.h"
 #include "sim/param_table.h"

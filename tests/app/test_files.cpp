@@ -1,4 +1,6 @@
 // Names of numbered files, lists of frames and times, and files that are whole or not there.
+#include <gtest/gtest.h>
+
 #include "app/exit_code.h"
 #include "app/file_pattern.h"
 #include "app/frame_list.h"
