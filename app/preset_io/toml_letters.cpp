@@ -1,5 +1,7 @@
 #include "app/preset_io/toml_letters.h"
 
+#include <algorithm>
+
 namespace ember {
 namespace {
 
@@ -54,17 +56,24 @@ ForeignLetter place_of(std::string_view toml, std::size_t at) {
 
 std::optional<ForeignLetter> foreign_letter(std::string_view toml) {
     constexpr std::string_view kMark("\xEF\xBB\xBF");
+    constexpr std::string_view kBeforeStrings("\n=,.[{");
     std::size_t at = toml.starts_with(kMark) ? kMark.size() : 0;
+    char before = '\n';  // the last character that is no blank
     while (at < toml.size()) {
         const std::string_view rest = toml.substr(at);
         const std::string_view quotes = quotes_at(rest);
         if (is_foreign(rest[0])) return place_of(toml, at);
         if (!quotes.empty()) {
+            const bool misplaced = kBeforeStrings.find(before) == std::string_view::npos;
+            if (misplaced && std::any_of(rest.begin(), rest.end(), is_foreign))
+                return place_of(toml, at);
             at += string_length(rest, quotes);
+            before = quotes[0];
         } else if (rest[0] == '#') {
             const std::size_t end = rest.find('\n');
             at += end == std::string_view::npos ? rest.size() : end;
         } else {
+            if (rest[0] != ' ' && rest[0] != '\t' && rest[0] != '\r') before = rest[0];
             ++at;
         }
     }
@@ -72,6 +81,7 @@ std::optional<ForeignLetter> foreign_letter(std::string_view toml) {
 }
 
 std::string foreign_letter_text(const ForeignLetter& foreign) {
+    if (!quotes_at(foreign.letter).empty()) return "a string cannot begin here";
     return "\"" + foreign.letter + "\" can stand in strings and comments only";
 }
 

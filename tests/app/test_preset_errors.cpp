@@ -36,6 +36,10 @@ TEST(PresetErrors, LettersBeyondAsciiStandInStringsAndCommentsOnly) {
     refused("title = '''\n\u00e9\n''''' \u20ac\n", "4:7", "\u20ac");
     refused("title = \"\\\"\u00e9\" # \u00e9\n\u20ac\n", "3:1", "\u20ac");
     refused("title = \"\n\u00e9\n", "3:1", "\u00e9");
+    EXPECT_EQ(problems("schema = 1\ntitle = 0\"\u00e9\"\n"),
+              "p.toml:2:10: error: a string cannot begin here\n");
+    EXPECT_EQ(problems("schema = 1\ntitle = \"a\" 'b' # \u00e9\n"),
+              "p.toml:2:13: error: a string cannot begin here\n");
     EXPECT_EQ(problems("\xEF\xBB\xBFschema = 1 # \u00e9\ntitle = \"\u00e9\\\"\u00e9\"\n"
                        "description = \"\"\"\n\u00e9 \"\u00e9\" \\\"\"\"\u00e9\"\"\"\n[paper]\n"),
               "");
