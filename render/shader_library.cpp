@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <map>
+#include <regex>
 #include <utility>
 #include <vector>
 
@@ -22,15 +23,6 @@ std::string text_of(std::string_view file) {
     return {bytes.begin(), bytes.end()};
 }
 
-// "0:12(5): error: ..." as Mesa has it becomes "sheet.frag:12: error: ..."; other drivers' texts
-// are shown as they are, after the file name.
-std::string locate(std::string_view file, const std::string& log) {
-    const bool mesa = log.size() > 2 && log[1] == ':';
-    if (!mesa) return std::string(file) + ": " + log;
-    const std::size_t line_end = log.find_first_of("(:", 2), message = log.find(' ');
-    return std::string(file) + ':' + log.substr(2, line_end - 2) + ':' + log.substr(message);
-}
-
 GLuint compile(GLenum kind, std::string_view file, std::string_view source) {
     const std::string common = "#version 330 core\n" + text_of("common.glsl") + "\n#line 1\n";
     const std::string body(source);
@@ -44,10 +36,18 @@ GLuint compile(GLenum kind, std::string_view file, std::string_view source) {
     std::vector<char> log(4096, '\0');
     glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
     glDeleteShader(shader);
-    throw RenderError(locate(file, log.data()));
+    throw RenderError(located(file, log.data()));
 }
 
 }  // namespace
+
+std::string located(std::string_view file, const std::string& log) {
+    static const std::regex place("^(ERROR: )?[0-9]+[:(]([0-9]+)\\)?(\\([0-9]+\\))? ?: *");
+    std::smatch found;
+    if (!std::regex_search(log, found, place)) return std::string(file) + ": " + log;
+    return std::string(file) + ':' + found[2].str() + ": " + (found[1].matched ? "error: " : "") +
+           found.suffix().str();
+}
 
 Program::Program(std::string_view vertex, std::string_view fragment)
     : Program(std::string(vertex) + ".vert", text_of(std::string(vertex) + ".vert"),

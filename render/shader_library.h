@@ -39,4 +39,9 @@ class Program {
     GLuint name_ = 0;
 };
 
+/// A compiler's log with `file` in front, and the line that its first message has: "sheet.frag:12:
+/// error: ...". Drivers write places in three ways ("0:12(5): ", "0(12) : ", "ERROR: 0:12: "); a
+/// log that begins otherwise stays as it is.
+[[nodiscard]] std::string located(std::string_view file, const std::string& log);
+
 }  // namespace ember

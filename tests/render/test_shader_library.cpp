@@ -35,6 +35,15 @@ TEST(ShaderLibrary, AShaderThatDoesNotCompileNamesItsFileAndLine) {
     EXPECT_EQ(error_of("void main() {\n    oops;\n}", kFragment).find("good.vert:2: "), 0u);
 }
 
+TEST(ShaderLibrary, EveryDriversPlacesAreUnderstood) {
+    EXPECT_EQ(located("a.frag", "0:12(5): error: no such name"), "a.frag:12: error: no such name");
+    EXPECT_EQ(located("a.frag", "0(12) : error C1503: undefined variable"),
+              "a.frag:12: error C1503: undefined variable");
+    EXPECT_EQ(located("a.frag", "ERROR: 0:12: 'b' : undeclared"),
+              "a.frag:12: error: 'b' : undeclared");
+    EXPECT_EQ(located("a.frag", "out of memory"), "a.frag: out of memory");
+}
+
 TEST(ShaderLibrary, ShadersThatDoNotFitTogetherNameBothFiles) {
     const test::GlRig rig;
     const std::string error =
