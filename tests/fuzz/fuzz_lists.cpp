@@ -25,7 +25,8 @@ void try_to(Reader&& reader) {
 bool is_short(const std::string& text) {
     std::size_t digits = 0, longest = 0;
     for (const char c : text) {
-        digits = c >= '0' && c <= '9' ? digits + 1 : 0;
+        const bool leading = digits == 0 && c == '0';
+        digits = c >= '0' && c <= '9' && !leading ? digits + 1 : 0;
         longest = std::max(longest, digits);
     }
     return longest < 6 || longest > 8;
