@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/xml_text.h"
 #include "app/difference_report.h"
 #include "app/exit_code.h"
 #include "app/version.h"
+#include "app/xml_text.h"
 
 namespace ember {
 namespace {

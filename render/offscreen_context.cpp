@@ -117,8 +117,8 @@ class EglContext final : public OffscreenContext {
         const auto query_string =
             extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
         EGLint count = 0;
-        if (std::getenv(kSoftwareOnly) != nullptr || query_devices == nullptr || query_string == nullptr ||
-            query_devices(0, nullptr, &count) == EGL_FALSE || count <= 0)
+        if (std::getenv(kSoftwareOnly) != nullptr || query_devices == nullptr ||
+            query_string == nullptr || query_devices(0, nullptr, &count) == EGL_FALSE || count <= 0)
             return {};
         std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
         if (query_devices(count, devices.data(), &count) == EGL_FALSE) return {};

@@ -15,8 +15,9 @@ enum class GlBackend { Auto, OsMesa, Egl };
 class OffscreenContext {
   public:
     /// Auto tries OSMesa, then EGL. EGL takes the first graphics card that has OpenGL 3.3, and
-    /// Mesa's surfaceless display, usually the software rasteriser, when there is none or LIBGL_ALWAYS_SOFTWARE is set.
-    /// Throws RenderError that names what was tried and why it failed.
+    /// Mesa's surfaceless display, usually the software rasteriser, when there is none or
+    /// LIBGL_ALWAYS_SOFTWARE is set. Throws RenderError that names what was tried and why it
+    /// failed.
     [[nodiscard]] static std::unique_ptr<OffscreenContext> create(GlBackend backend);
     virtual ~OffscreenContext() = default;
 
