@@ -88,6 +88,7 @@ std::vector<PicturePair> find_pairs(const fs::path& expected, const fs::path& dr
     names.merge(pictures_in(drawn));
     if (names.empty()) throw InputError(expected.string() + ": error: holds no PNG files");
     std::vector<PicturePair> pairs;
+    pairs.reserve(names.size());
     for (const std::string& name : names)
         pairs.push_back({name, expected / name, drawn / name});
     return pairs;
