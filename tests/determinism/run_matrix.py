@@ -81,7 +81,7 @@ def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--build", action="append", choices=BUILDS, help="default: all")
-    parser.add_argument("--binary", help="this program instead of builds")
+    parser.add_argument("--binary", action="append", help="this program instead of builds")
     parser.add_argument("--preset", action="append", help="default: " + ", ".join(PRESETS))
     parser.add_argument("--set", action="append", default=[], help="as of emberleaf simulate")
     parser.add_argument("--ticks", type=int, default=2000)
@@ -94,7 +94,7 @@ def read_arguments():
 
 def main():
     options = read_arguments()
-    names = [options.binary] if options.binary else options.build or list(BUILDS)
+    names = options.binary or options.build or list(BUILDS)
     threads = [int(t) for t in options.threads.split(",")]
     folder = pathlib.Path(options.folder)
     folder.mkdir(parents=True, exist_ok=True)
@@ -102,7 +102,7 @@ def main():
     expected = {}
     print(f"{'build':<16} {'preset':<24} threads runs  ticks      s  result", flush=True)
     for name in names:
-        binary = options.binary or build(name)
+        binary = name if options.binary else build(name)
         for preset in options.preset or PRESETS:
             for count in threads:
                 start, results = time.monotonic(), []
