@@ -110,8 +110,8 @@ class EglContext final : public OffscreenContext {
         return reinterpret_cast<Function>(loader_(name));
     }
 
-    // Devices that are hardware, unless Mesa is asked to do without. A vendor's driver knows these
-    // only, and no surfaceless display.
+    // Devices that are hardware, unless Mesa is asked to do without. Some vendors' drivers know
+    // these only, and no surfaceless display.
     [[nodiscard]] std::vector<EGLDeviceEXT> graphics_cards() const {
         const auto query_devices = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
         const auto query_string =

@@ -1,7 +1,9 @@
 // One test per row of scenes.txt, named as it is. docs/GOLDEN.md says how to use it.
 //
-// golden [--gtest_filter=SUITE.NAME] [--as-it-is | --graphics-card] [--approved FOLDER] [--report
-// FILE] golden --update REASON [--gtest_filter=SUITE.NAME]
+// golden [--gtest_filter=SUITE.NAME] [--as-it-is | --graphics-card] [--approved FOLDER]
+//        [--report FILE]
+//
+// golden --update REASON [--gtest_filter=SUITE.NAME]
 #include <gtest/gtest.h>
 
 #include <cstdio>
