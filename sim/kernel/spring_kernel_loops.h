@@ -43,25 +43,37 @@ inline void store(double* to, const Doubles& v) {
     __builtin_memcpy(to, &v, sizeof v);
 }
 
-// 1/√s. A division and a root in double precision would take twice as long as the rest of a
-// spring, so both are taken in single precision, correctly rounded and hence the same on every
+// One vector for each kind of springs.
+using Kinds = Doubles[kKinds];
+
+// 1/√s, in place. A division and a root in double precision would take twice as long as the rest of
+// a spring, so both are taken in single precision, correctly rounded and hence the same on every
 // processor, and one step of third order, error 5/16 e³ with |e| < 2^-22, makes them double.
-// Springs shorter than 1e-15 m have no direction; the offset keeps their result finite, and since
-// it multiplies their extent, they exert no force.
-inline Doubles inverse_root(const Doubles& square) {
-    const Doubles s = square + 1e-30;
+[[gnu::always_inline]] inline void invert_roots(Kinds& s) {
+    Kinds y, e;
 #if EMBER_FAST
-    const Doubles y =
-        reinterpret_cast<Doubles>(_mm512_maskz_rsqrt14_pd(0xFF, reinterpret_cast<__m512d>(s)));
-    const Doubles e = 1.0 - (s * y) * y;
-    return y + (y * e) * (0.5 + e * (0.375 + e * 0.3125));
+    for (int i = 0; i < kKinds; ++i) {
+        y[i] = reinterpret_cast<Doubles>(
+            _mm512_maskz_rsqrt14_pd(0xFF, reinterpret_cast<__m512d>(s[i])));
+    }
+    for (int i = 0; i < kKinds; ++i)
+        e[i] = 1.0 - (s[i] * y[i]) * y[i];
+    for (int i = 0; i < kKinds; ++i)
+        s[i] = y[i] + (y[i] * e[i]) * (0.5 + e[i] * (0.375 + e[i] * 0.3125));
 #else
-    Floats root = narrowed(s);
-    for (int lane = 0; lane < EMBER_LANES; ++lane)
-        root[lane] = __builtin_sqrtf(root[lane]);
-    const Doubles y = widened(1.0f / root);
-    const Doubles e = 1.0 - (s * y) * y;
-    return y + (y * e) * (0.5 + e * 0.375);
+    Floats root[kKinds];
+    for (int i = 0; i < kKinds; ++i)
+        root[i] = narrowed(s[i]);
+    for (auto& each : root) {
+        for (int lane = 0; lane < EMBER_LANES; ++lane)
+            each[lane] = __builtin_sqrtf(each[lane]);
+    }
+    for (int i = 0; i < kKinds; ++i)
+        y[i] = widened(1.0f / root[i]);
+    for (int i = 0; i < kKinds; ++i)
+        e[i] = 1.0 - (s[i] * y[i]) * y[i];
+    for (int i = 0; i < kKinds; ++i)
+        s[i] = y[i] + (y[i] * e[i]) * (0.5 + e[i] * 0.375);
 #endif
 }
 
@@ -92,30 +104,56 @@ struct SplitForce {
     void operator-=(const SplitForce& f) { all -= f.all, friction -= f.friction; }
 };
 
-// Springs from a to b, F = [k (1 - l/L) + d (Δv·Δx)/L²] Δx on a. Adds the power lost, d (Δv·n)².
-inline void pull(const double* constants, const Ends& a, const Ends& b, Doubles& lost, Force& f,
+// Springs of all kinds as they lie: Δx, Δv·Δx, and 1/|Δx|.
+struct Spans {
+    Kinds x, y, z, along, inverse;
+
+    // Puts |Δx|² where its inverse root will be. Springs shorter than 1e-15 m have no direction;
+    // the offset keeps their result finite, and since that multiplies Δx, they exert no force.
+    void set(int kind, const Ends& a, const Ends& b) {
+        const Doubles dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
+        x[kind] = dx, y[kind] = dy, z[kind] = dz;
+        inverse[kind] = dx * dx + dy * dy + dz * dz + 1e-30;
+        along[kind] = (b.u - a.u) * dx + (b.v - a.v) * dy + (b.w - a.w) * dz;
+    }
+};
+
+[[gnu::always_inline]] inline void find_spans(const SpringRow& row, std::ptrdiff_t column,
+                                              Spans& spans) {
+    const Ends here = ends_at(row, 0, column), right = ends_at(row, 0, column + 1),
+               below = ends_at(row, 1, column);
+    spans.set(5, here, ends_at(row, 2, column));
+    spans.set(4, here, ends_at(row, 0, column + 2));
+    spans.set(2, here, ends_at(row, 1, column + 1));
+    spans.set(1, here, below);
+    spans.set(0, here, right);
+    spans.set(3, right, below);
+    invert_roots(spans.inverse);
+}
+
+// Pull on the first ends, F = [k (1 - l/L) + d (Δv·Δx)/L²] Δx. Adds the power lost, d (Δv·n)².
+inline void pull(const double* constants, const Spans& spans, int kind, Doubles& lost, Force& f,
                  Force* part) {
-    const Doubles dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
-    const Doubles inverse = inverse_root(dx * dx + dy * dy + dz * dz);
-    const Doubles rate = ((b.u - a.u) * dx + (b.v - a.v) * dy + (b.w - a.w) * dz) * inverse;
+    constants += kind * kConstants * kBlockColumns;
+    const Doubles inverse = spans.inverse[kind], rate = spans.along[kind] * inverse;
     const Doubles friction = load(constants + 2 * kBlockColumns) * rate;
     const Doubles scale = load(constants) + inverse * (friction - load(constants + kBlockColumns));
-    f = {scale * dx, scale * dy, scale * dz};
+    f = {scale * spans.x[kind], scale * spans.y[kind], scale * spans.z[kind]};
     if (part == nullptr) {
         lost += friction * rate;
         return;
     }
     const Doubles share = inverse * friction;
-    *part = {share * dx, share * dy, share * dz};
+    *part = {share * spans.x[kind], share * spans.y[kind], share * spans.z[kind]};
 }
 
-inline void pull(const double* constants, const Ends& a, const Ends& b, Doubles& lost, Force& f) {
-    pull(constants, a, b, lost, f, nullptr);
+inline void pull(const double* constants, const Spans& spans, int kind, Doubles& lost, Force& f) {
+    pull(constants, spans, kind, lost, f, nullptr);
 }
 
-inline void pull(const double* constants, const Ends& a, const Ends& b, Doubles& lost,
+inline void pull(const double* constants, const Spans& spans, int kind, Doubles& lost,
                  SplitForce& f) {
-    pull(constants, a, b, lost, f.all, &f.friction);
+    pull(constants, spans, kind, lost, f.all, &f.friction);
 }
 
 // What belongs to nodes `kColumns` to the right of where it was found: the last lanes of the
@@ -171,33 +209,36 @@ struct Carried {
 
 // The springs of as many columns as there are lanes. Forces stay in registers until they belong to
 // the nodes at hand.
+//
+// All kinds go through each stage together. From the ends of a spring to its pull every operation
+// waits for the one before, more than a hundred cycles in all, and a processor that looks ahead by
+// two or three springs would mostly wait if they came one after the other.
 template <class F>
 inline void add_springs(const SpringRow& row, std::ptrdiff_t column, Carried<F>& carried,
                         Doubles& lost) {
     const std::ptrdiff_t block = column / kBlockColumns, lane = column % kBlockColumns;
     const double* k = row.constants + block * kKinds * kConstants * kBlockColumns + lane;
-    constexpr std::ptrdiff_t kKind = kConstants * kBlockColumns;
-    const Ends here = ends_at(row, 0, column), right = ends_at(row, 0, column + 1),
-               below = ends_at(row, 1, column);
+    Spans spans;
+    find_spans(row, column, spans);
     Carried<F> now;
     F own, down, f;  // pulls on the nodes, and reactions on those below
 
-    pull(k + 5 * kKind, here, ends_at(row, 2, column), lost, f);
+    pull(k, spans, 5, lost, f);
     own = f;
     store_force(row.reaction[2] + column, row.pitch, f);
-    pull(k + 4 * kKind, here, ends_at(row, 0, column + 2), lost, f);
+    pull(k, spans, 4, lost, f);
     own += f;
     now.right_2 = f;
-    pull(k + 2 * kKind, here, ends_at(row, 1, column + 1), lost, f);
+    pull(k, spans, 2, lost, f);
     own += f;
     now.below_right = f;
-    pull(k + 1 * kKind, here, below, lost, f);
+    pull(k, spans, 1, lost, f);
     own += f;
     down = f;
-    pull(k, here, right, lost, f);
+    pull(k, spans, 0, lost, f);
     own += f;
     now.right = f;
-    pull(k + 3 * kKind, right, below, lost, f);
+    pull(k, spans, 3, lost, f);
     now.right -= f;
     down += f;
 
