@@ -1,6 +1,7 @@
 // One value from outside (a preset or the command line) into one parameter.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <variant>
