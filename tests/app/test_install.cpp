@@ -37,7 +37,7 @@ class Installed : public testing::Test {
     // Makes every mention of the source folder in the program one of a folder that does not exist.
     void forget_the_source() {
         std::string program = folder_.read("usr/bin/emberleaf");
-        const std::string nowhere = "/nowhere" + std::string(kSource.size() - 8, 'x');
+        const std::string nowhere = '/' + std::string(kSource.size() - 1, 'x');
         for (std::size_t at = 0; (at = program.find(kSource, at)) != std::string::npos;)
             program.replace(at, kSource.size(), nowhere);
         folder_.write("usr/bin/emberleaf", program);
