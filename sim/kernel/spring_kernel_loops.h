@@ -118,6 +118,8 @@ struct Spans {
     }
 };
 
+// This and invert_roots() are inlined by order: shared between the two kinds of forces, they would
+// hand everything on through memory.
 [[gnu::always_inline]] inline void find_spans(const SpringRow& row, std::ptrdiff_t column,
                                               Spans& spans) {
     const Ends here = ends_at(row, 0, column), right = ends_at(row, 0, column + 1),
