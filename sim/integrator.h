@@ -18,6 +18,8 @@ struct StepControl {
     std::int64_t substeps = 1;
     double tolerance = std::numeric_limits<double>::infinity();   ///< [m] RMS error of a sub-step
     double first_step = std::numeric_limits<double>::infinity();  ///< [s] to try, with a tolerance
+    bool pauses = false;   ///< the next call goes on from here, with other loads only
+    bool resumes = false;  ///< the last call paused
 };
 
 /// Where mechanical energy went in a tick [J].
@@ -34,6 +36,7 @@ struct TickWork {
 struct IntegratorScratch {
     Motion start, present, stage;
     std::vector<double> ahead;                       ///< [m/s] of leapfrog schemes, as Motion::v
+    std::vector<double> kept;                        ///< [N] while they pause, see Leap
     std::vector<std::vector<double>> accelerations;  ///< [m/s²] of stages or past steps, 3N each
     std::vector<std::vector<double>> velocities;     ///< [m/s] stages of rosenbrock, 3N + padding
     std::vector<double> error, zeros;                ///< 3N
@@ -50,8 +53,8 @@ struct IntegratorScratch {
 /// Sub-steps must be no longer than stable_step() (stability.h) for explicit integrators.
 ///
 ///   integrator              order  right-hand sides per sub-step
-///   semi_implicit_euler     1      1
-///   velocity_verlet         2      1
+///   semi_implicit_euler     1      1       and one more at the end, unless the call pauses or
+///   velocity_verlet         2      1       resumes: then the one at its end serves both
 ///   rk4                     4      4
 ///   dopri5                  5(4)   6   Dormand and Prince 1980, error control
 ///   rkf78                   8(7)   13  Fehlberg 1968, error control

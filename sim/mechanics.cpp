@@ -111,8 +111,10 @@ class Finish {
 
     // Springs in the stencil exert `f` on the run, as SpringRow::force. Returns the power of the
     // drag, and for a step that of the springs' friction too.
+    // With forces that were kept, `f` is given nothing.
     LostPower operator()(const Run run, double* f, int thread) const {
-        add_extra(run, f);
+        if (evaluates()) add_extra(run, f);
+        if (step_ != nullptr) keep(run, f);
         const std::ptrdiff_t pitch = m_.forces.pitch;
         double* power = m_.forces.finishing[static_cast<std::size_t>(thread)].data();
         if (step_ == nullptr)
@@ -127,9 +129,26 @@ class Finish {
         return lost;
     }
 
+    [[nodiscard]] bool evaluates() const {
+        return step_ == nullptr || step_->source != ForceSource::Kept;
+    }
+
   private:
     [[nodiscard]] std::ptrdiff_t node_count() const {
         return static_cast<std::ptrdiff_t>(m_.node_count());
+    }
+
+    void keep(const Run run, double* f) const {
+        if (step_->source == ForceSource::Motion) return;
+        for (std::ptrdiff_t c = 0; c < 6; ++c) {
+            double *here = f + c * m_.forces.pitch,
+                   *there = step_->kept + c * node_count() + run.first;
+            if (evaluates()) {
+                std::copy_n(here, run.count, there);
+            } else {
+                std::copy_n(there, run.count, here);
+            }
+        }
     }
 
     void add_extra(const Run run, double* f) const {
@@ -185,20 +204,21 @@ void finish_copies(const Mechanics& m, const Finish& finish, LostPower& lost) {
 
 LostPower evaluate(const Mechanics& m, const NodeMotion& motion, const Finish& finish, bool leaps) {
     const std::ptrdiff_t columns = m.lattice.column_count;
+    const bool anew = finish.evaluates();
     LostPower lost;
-    if (m.plate != nullptr) {
+    if (anew && m.plate != nullptr) {
         m.plate_forces->evaluate(m.lattice, *m.plate, m.sheet.rest_curvature, motion.x,
                                  m.node_count(), m.pool);
     }
-    const double in_extra = m.forces.extra.evaluate(m.network, motion);
+    const double in_extra = anew ? m.forces.extra.evaluate(m.network, motion) : 0.0;
     if (!leaps) lost.damping = in_extra;
     for (const RowSpan& span : m.rows) {
         const auto run = [&](int part, std::ptrdiff_t begin, std::ptrdiff_t end) {
             RowForces rows(m.lattice, motion, leaps ? &m.old_rows : nullptr, m.kernel, m.forces,
                            part);
-            rows.start(span.begin + static_cast<Index>(begin));
+            if (anew) rows.start(span.begin + static_cast<Index>(begin));
             for (auto row = span.begin + begin; row < span.begin + end; ++row) {
-                rows.next(static_cast<Index>(row));
+                if (anew) rows.next(static_cast<Index>(row));
                 const LostPower power = finish({row * columns, columns}, rows.force(), part);
                 if (leaps) {
                     m.old_rows.keep(static_cast<Index>(row), motion);

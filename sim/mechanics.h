@@ -61,6 +61,10 @@ struct Mechanics {
 /// of threads.
 LostPower accelerate(const Mechanics& mechanics, const double* x, const double* v, double* a);
 
+/// Where a step takes the forces of springs and plate from. They need not be evaluated twice at
+/// the same place when only other loads change there.
+enum class ForceSource { Motion, MotionAndKeep, Kept };
+
 /// One step of a leapfrog scheme, in which velocities w that carry nodes from place to place
 /// (drifts) alternate with accelerations (kicks):
 ///
@@ -71,6 +75,8 @@ struct Leap {
     double *x, *w, *u;                     ///< [m], [m/s] drift that led to x, [m/s] guess at v
     double kick = 0, drift = 0, lead = 0;  ///< [s]
     double mean = 0;                       ///< [s] w + mean·a is half-way to the next drift
+    ForceSource source = ForceSource::Motion;
+    double* kept = nullptr;  ///< [N] x, y, z of forces and of friction, 6N; for the other sources
 };
 
 /// Call before the first of some leaps, and whenever x or u have been changed between leaps.

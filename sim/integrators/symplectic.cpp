@@ -52,26 +52,47 @@ Change change_of(const SheetState& sheet, const std::vector<double>& p,
 // Leaps of the present motion, with a guess `ahead` at the velocity that friction is taken at.
 class Leapfrog {
   public:
-    Leapfrog(const Mechanics& mechanics, IntegratorScratch& scratch) : m_(mechanics), s_(scratch) {
+    Leapfrog(const Mechanics& mechanics, const StepControl& control, IntegratorScratch& scratch)
+        : m_(mechanics), control_(control), s_(scratch) {
         s_.ahead = s_.present.v;
+        if (control.pauses) s_.kept.resize(6 * m_.node_count());
         prepare_leaps(m_, s_.present.x.data(), s_.ahead.data());
     }
 
-    LostPower operator()(double kick, double drift, double lead, double mean) {
+    LostPower operator()(double kick, double drift, double lead, double mean,
+                         ForceSource source = ForceSource::Motion) {
         return leap(m_, {s_.present.x.data(), s_.present.v.data(), s_.ahead.data(), kick, drift,
-                         lead, mean});
+                         lead, mean, source, s_.kept.data()});
     }
 
-    /// The same, and what it changes in the velocities.
-    LostPower operator()(double kick, double drift, double lead, double mean, Change& change) {
+    /// The first one, and what it changes in the velocities.
+    LostPower first(double kick, double drift, double lead, double mean, Change& change) {
+        return watched(kick, drift, lead, mean,
+                       control_.resumes ? ForceSource::Kept : ForceSource::Motion, change);
+    }
+
+    /// The last one: a kick only.
+    LostPower last(double kick, Change& change) {
+        return watched(kick, 0.0, 0.0, 0.0,
+                       control_.pauses ? ForceSource::MotionAndKeep : ForceSource::Motion, change);
+    }
+
+    /// How many times the forces are evaluated in all.
+    [[nodiscard]] std::int64_t evaluations() const {
+        return control_.substeps + (control_.resumes ? 0 : 1);
+    }
+
+  private:
+    LostPower watched(double kick, double drift, double lead, double mean, ForceSource source,
+                      Change& change) {
         s_.start.v = s_.present.v;
-        const LostPower lost = (*this)(kick, drift, lead, mean);
+        const LostPower lost = (*this)(kick, drift, lead, mean, source);
         change = change_of(m_.sheet, s_.start.v, s_.present.v);
         return lost;
     }
 
-  private:
     const Mechanics& m_;
+    const StepControl& control_;
     IntegratorScratch& s_;
 };
 
@@ -80,18 +101,18 @@ class Leapfrog {
 void semi_implicit_euler(const Mechanics& m, const StepControl& control, IntegratorScratch& s,
                          TickWork& work, StepCounters& counters) {
     const double h = control.dt / static_cast<double>(control.substeps);
-    Leapfrog leap(m, s);
+    Leapfrog leap(m, control, s);
     Change change;
     // there is no drift behind the first, and a whole one ahead
-    lose(leap(h, h, 0.0, h, change), 0.5 * h, work);
+    lose(leap.first(h, h, 0.0, h, change), 0.5 * h, work);
     work.scheme += 0.5 * change.along;
     for (std::int64_t step = 1; step < control.substeps; ++step)
         lose(leap(h, h, 0.0, 0.5 * h), h, work);
     // what the last drift lost, and what the scheme holds, show in one kick more, which is undone
-    lose(leap(h, 0.0, 0.0, 0.0, change), 0.5 * h, work);
+    lose(leap.last(h, change), 0.5 * h, work);
     work.scheme -= 0.5 * change.along;
     s.present.v = s.start.v;
-    counters.right_hand_sides += control.substeps + 1;
+    counters.right_hand_sides += leap.evaluations();
     work.substeps = control.substeps;
 }
 
@@ -100,15 +121,15 @@ void semi_implicit_euler(const Mechanics& m, const StepControl& control, Integra
 void velocity_verlet(const Mechanics& m, const StepControl& control, IntegratorScratch& s,
                      TickWork& work, StepCounters& counters) {
     const double h = control.dt / static_cast<double>(control.substeps);
-    Leapfrog leap(m, s);
+    Leapfrog leap(m, control, s);
     Change change;
-    lose(leap(0.5 * h, h, 0.5 * h, 0.5 * h, change), 0.5 * h, work);
+    lose(leap.first(0.5 * h, h, 0.5 * h, 0.5 * h, change), 0.5 * h, work);
     work.scheme -= 0.5 * change.square;
     for (std::int64_t step = 1; step < control.substeps; ++step)
         lose(leap(h, h, 0.5 * h, 0.5 * h), h, work);  // the end of one step and the next
-    lose(leap(0.5 * h, 0.0, 0.0, 0.0, change), 0.5 * h, work);
+    lose(leap.last(0.5 * h, change), 0.5 * h, work);
     work.scheme += 0.5 * change.square;
-    counters.right_hand_sides += control.substeps + 1;
+    counters.right_hand_sides += leap.evaluations();
     work.substeps = control.substeps;
 }
 

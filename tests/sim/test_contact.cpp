@@ -255,6 +255,18 @@ TEST(Contact, SheetsThatCollideKeepTheirMomentum) {
     }
 }
 
+TEST(Contact, EvaluatesTheSpringsOnceForEachSubStepAndOnceMoreForEachTick) {
+    World world = world_of(falling(), {Vector3(0, 0.01, 0)});
+    std::int64_t contacts = 0;
+    for (int tick = 0; tick < 12; ++tick) {
+        const StepReport report = world.step();
+        ASSERT_TRUE(report.ok()) << cause_text(report);
+        EXPECT_EQ(report.counters.right_hand_sides, report.counters.substeps + 1);
+        contacts += report.counters.contacts;
+    }
+    EXPECT_GT(contacts, 0);
+}
+
 TEST(Contact, EveryIntegratorStopsAFallingFlake) {
     for (const IntegratorKind integrator :
          {IntegratorKind::SemiImplicitEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4,
