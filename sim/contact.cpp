@@ -84,7 +84,7 @@ Path path_of(const ContactScratch& s, Index sheet, Index node, double interval) 
 void add(double gap, double kept, double interval, std::size_t source, Contact contact,
          ContactScratch& s) {
     double speed = 0.0;
-    for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t k = 0; k < contact.bodies; ++k)
         speed += contact.weight[k] * s.start[as_size(contact.body[k])].dot(contact.normal);
     contact.least = least_speed(gap, speed, interval, kSoft * kept);
     contact.guess = s.needed[source];
@@ -101,8 +101,9 @@ void touch_ground(const Params& params, double thickness, double interval, Conta
         if (gap > kSlack * thickness && !(gap < 2.0 * fall)) continue;
         const Index body = s.body_of[as_size(node.sheet)][as_size(node.node)];
         add(gap, thickness, interval, i,
-            {.body = {body, body, body, body},
-             .weight = {1, 0, 0, 0},
+            {.bodies = 1,
+             .body = {body},
+             .weight = {1},
              .normal = Vector3::UnitY(),
              .friction = params.contact.ground_friction},
             s);
@@ -180,10 +181,11 @@ void touch_edges(const Params& params, double thickness, double interval, Contac
 void wake_touched(double sleep_speed, ContactScratch& s) {
     for (const Contact& contact : s.contacts) {
         double fastest = 0.0;
-        for (const Index body : contact.body)
+        const std::span bodies(contact.body.data(), contact.bodies);
+        for (const Index body : bodies)
             fastest = std::max(fastest, s.start[as_size(body)].norm());
         if (!(fastest > sleep_speed)) continue;
-        for (const Index body : contact.body) {
+        for (const Index body : bodies) {
             const SheetNode& owner = s.owner[as_size(body)];
             const ContactSheet& c = s.sheets[as_size(owner.sheet)];
             if (!is_asleep(c, owner.node)) continue;

@@ -10,13 +10,13 @@ constexpr double kSettled = 1e-6;  // [m/s] that a sweep may still change
 
 Vector3 relative_velocity(const Contact& c, const ContactBodies& bodies) {
     Vector3 sum = Vector3::Zero();
-    for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t k = 0; k < c.bodies; ++k)
         sum += c.weight[k] * bodies.velocity[static_cast<std::size_t>(c.body[k])];
     return sum;
 }
 
 void push(const Contact& c, const Vector3& impulse, ContactBodies& bodies) {
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < c.bodies; ++k) {
         const auto b = static_cast<std::size_t>(c.body[k]);
         const Vector3 part = c.weight[k] * impulse;
         bodies.impulse[b] += part;
@@ -49,7 +49,7 @@ double relax(Contact& c, ContactBodies& bodies) {
 double gently(const Contact& c, const ContactBodies& bodies) {
     if (!(c.least > 0)) return c.least;
     double fastest = 0.0;
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < c.bodies; ++k) {
         const double given = c.mass * bodies.inverse_mass[static_cast<std::size_t>(c.body[k])];
         fastest = std::max(fastest, std::abs(c.weight[k]) * given);
     }
@@ -97,7 +97,7 @@ int solve_contacts(std::vector<Contact>& contacts, ContactBodies& bodies) {
     double allowed = 0.0;
     for (Contact& c : contacts) {
         double inverse = 0.0;
-        for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t k = 0; k < c.bodies; ++k) {
             inverse += c.weight[k] * c.weight[k] *
                        bodies.inverse_mass[static_cast<std::size_t>(c.body[k])];
         }

@@ -29,11 +29,11 @@ struct ContactBodies {
     std::vector<Vector3> impulse;      ///< [kg m/s] given by contacts
 };
 
-/// Up to four bodies; their weights add up to 0, or to 1 against the ground. Unused places repeat a
-/// body with weight 0.
+/// One body on the ground, or four whose weights add up to 0.
 struct Contact {
-    std::array<Index, 4> body;
-    std::array<double, 4> weight;
+    std::size_t bodies = 4;  ///< as many of the following count
+    std::array<Index, 4> body{};
+    std::array<double, 4> weight{};
     Vector3 normal;       ///< [1] along which the relative velocity Σ weight · v must not be less
     double least = 0;     ///< [m/s] than this
     double friction = 0;  ///< [1]
