@@ -142,11 +142,12 @@ bool scheme_is_bounded(EnergyLedger& ledger) {
 }  // namespace
 
 bool settle(EnergyLedger& ledger) {
-    constexpr double kAlways = 1e-3;  // share of the margin that any tick may use
+    constexpr double kUsed = 0.9;     // share of the margin that refinement makes do with
+    constexpr double kAlways = 1e-3;  // share of it that any tick may use
     double scale = 0.0;
     const double excess = unaccounted_energy(ledger, scale);
     ledger.largest = std::max(ledger.largest, scale);
-    const double margin = 0.5 * kEnergyMargin * ledger.largest;
+    const double margin = kUsed * kEnergyMargin * ledger.largest;
     const double allowed =
         std::max({0.5 * (margin - ledger.unaccounted), kAlways * margin, kSmallest});
     const bool good = std::isfinite(excess) && excess - ledger.unaccounted <= allowed;
