@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/vectorise.h"
+
 namespace ember {
 namespace {
 
@@ -24,8 +26,53 @@ bool apart(const Point& a, const Point& b, double most) {
            std::abs(a.at[2] - b.at[2]) > most;
 }
 
-// The runs of particles that may be within reach of a box. Along a line of cells in x that passes
-// the box at a distance, a sphere reaches less far: the run is cut down to that chord.
+// Lines of cells in x near a box, and the cells of them that are within its reach.
+struct Lines {
+    static constexpr std::size_t kMost = 64;  // at a time: usually all that pass a patch
+    std::size_t count = 0;
+    std::array<Index, kMost> begin{};                     // first cell of each line
+    std::array<double, kMost> miss2_y{}, miss2_z{};       // [m²] by how much it misses the box
+    std::array<Index, kMost> first_cell{}, after_cell{};  // in reach; the same: none
+};
+
+// Along a line that passes the box at a distance, a sphere reaches less far: by a chord. Rounding
+// is covered by what reach has to spare.
+EMBER_VECTORISED void find_chords(const ParticleGrid& grid, const Box& box, Lines& lines) {
+    const double reach2 = grid.reach * grid.reach, per_cell = grid.per_cell;
+    const double low = box.low[0], high = box.high[0], start = grid.box.low[0];
+    const auto last = static_cast<double>(grid.count[0] - 1);
+    const std::size_t count = lines.count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double chord2 = reach2 - lines.miss2_y[i] - lines.miss2_z[i];
+        const double chord = std::sqrt(chord2 > 0.0 ? chord2 : 0.0);
+        const double from = (low - chord - start) * per_cell,
+                     to = (high + chord - start) * per_cell;
+        // as ParticleGrid::cell_along
+        const double first_in = from < last ? from : last, last_in = to < last ? to : last;
+        const Index first = lines.begin[i] + static_cast<Index>(first_in > 0.0 ? first_in : 0.0);
+        const Index after = lines.begin[i] + static_cast<Index>(last_in > 0.0 ? last_in : 0.0) + 1;
+        lines.first_cell[i] = first;
+        lines.after_cell[i] = chord2 < 0.0 ? first : after;
+    }
+}
+
+// Without a branch for each line, since which of them are empty cannot be foreseen.
+void add_runs(const ParticleGrid& grid, const Box& box, Lines& lines,
+              std::vector<ParticleRun>& runs) {
+    find_chords(grid, box, lines);
+    std::size_t kept = runs.size();
+    runs.resize(kept + lines.count);
+    for (std::size_t i = 0; i < lines.count; ++i) {
+        const ParticleRun run{grid.begin[static_cast<std::size_t>(lines.first_cell[i])],
+                              grid.begin[static_cast<std::size_t>(lines.after_cell[i])]};
+        runs[kept] = run;
+        kept += run.begin < run.end ? 1 : 0;
+    }
+    runs.resize(kept);
+    lines.count = 0;
+}
+
+// The runs of particles that may be within reach of a box.
 void list_runs(const ParticleGrid& grid, const Box& box, std::vector<ParticleRun>& runs) {
     const double reach = grid.reach;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -36,27 +83,24 @@ void list_runs(const ParticleGrid& grid, const Box& box, std::vector<ParticleRun
     const Index y1 = grid.cell_along(1, box.high[1] + reach);
     const Index z0 = grid.cell_along(2, box.low[2] - reach);
     const Index z1 = grid.cell_along(2, box.high[2] + reach);
-    // by how much the cells miss the box; rounding is covered by what reach has to spare
-    const auto gap = [&](std::size_t axis, Index cell) {
+    const auto miss2 = [&](std::size_t axis, Index cell) {
         const double low = grid.box.low[axis] + cell * grid.cell;
-        return std::max({0.0, low - box.high[axis], box.low[axis] - (low + grid.cell)});
+        const double miss =
+            std::max({0.0, low - box.high[axis], box.low[axis] - (low + grid.cell)});
+        return miss * miss;
     };
+    Lines lines;
     for (Index z = z0; z <= z1; ++z) {
-        const double dz = gap(2, z);
+        const double miss2_z = miss2(2, z);
         for (Index y = y0; y <= y1; ++y) {
-            const double dy = gap(1, y);
-            const double chord2 = reach * reach - dy * dy - dz * dz;
-            if (chord2 < 0) continue;
-            const double chord = std::sqrt(chord2);
-            const Index line = (z * grid.count[1] + y) * grid.count[0];
-            const auto first =
-                static_cast<std::size_t>(line + grid.cell_along(0, box.low[0] - chord));
-            const auto last =
-                static_cast<std::size_t>(line + grid.cell_along(0, box.high[0] + chord));
-            const ParticleRun run{grid.begin[first], grid.begin[last + 1]};
-            if (run.begin < run.end) runs.push_back(run);
+            if (lines.count == Lines::kMost) add_runs(grid, box, lines, runs);
+            const std::size_t i = lines.count++;
+            lines.begin[i] = (z * grid.count[1] + y) * grid.count[0];
+            lines.miss2_y[i] = miss2(1, y);
+            lines.miss2_z[i] = miss2_z;
         }
     }
+    add_runs(grid, box, lines, runs);
 }
 
 // Nodes of a tile that are within a radius of the first of `waiting`, which they leave. Pieces
@@ -114,10 +158,12 @@ void plan_tile(const Params& params, bool all, const SheetState& sheet, std::siz
     while (std::find(waiting.begin(), waiting.end(), true) != waiting.end()) {
         const auto taken = take_cluster(points, grid.reach, waiting);
         const std::size_t first = plan.runs.size();
-        list_runs(grid, box_of(points, taken), plan.runs);
+        const Box box = box_of(points, taken);
+        list_runs(grid, box, plan.runs);
         if (plan.runs.size() == first && !all) continue;
         NodePatch& patch = plan.patches.emplace_back();
         fill_patch(params, sheet, grid, nodes, points, taken, patch);
+        patch.box = box;
         patch.sheet = number;
         patch.first_run = first;
         patch.last_run = plan.runs.size();

@@ -19,6 +19,7 @@ struct NodePatch {
     alignas(64) std::array<double, kLanes> x, y, z;  ///< [m]; idle lanes are out of reach of all
     std::array<double, kLanes> share;  ///< [1] area / r_k² of a node that takes heat, else 0
     std::array<Index, kLanes> node;    ///< kNone: an idle lane
+    Box box;                           ///< that holds them
     std::size_t sheet;
     std::size_t first_run, last_run;  ///< its runs are first_run .. last_run - 1
     Index block;                      ///< of those into which the work is divided

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sim/exp_array.h"
 #include "sim/math.h"
@@ -60,10 +61,10 @@ void heat_nodes(const Coupling& c, const NodePatch& patch, const PatchSums& sums
 }
 
 // From where nodes are heated; zero for those that are not.
-void direct_nodes(const Coupling& c, const NodePatch& patch, const ParticleRun* runs,
+void direct_nodes(const Coupling& c, const NodePatch& patch, const Index* particles,
                   std::size_t count, double inverse_r2, const PatchSums& sums) {
     PatchDirections from;
-    add_directions(c.scratch.grid, patch, runs, count, inverse_r2, from);
+    add_directions(c.scratch.grid, patch, particles, count, inverse_r2, from);
     Vector3Array& direction = c.received[patch.sheet].direction;
     for (std::size_t l = 0; l < kLanes; ++l) {
         if (patch.node[l] == kNone || !(sums.heating[l] > 0)) continue;
@@ -96,14 +97,20 @@ void couple_block(const Coupling& c, Index block) {
     s.touched[static_cast<std::size_t>(block)] = touched;
     const double radius = c.params.fire.kernel_radius, inverse_r2 = 1.0 / (radius * radius);
     PatchSums sums;
+    std::vector<Index>& near = s.near[static_cast<std::size_t>(block)];
+    near.resize(c.particles + kLanes);
+    std::size_t count = c.particles;
+    if (all) std::iota(near.begin(), near.end(), 0);
     for (auto patch = first; patch != last; ++patch) {
-        const ParticleRun* runs = all ? &everything : s.plan.runs.data() + patch->first_run;
-        const std::size_t count = all ? 1 : patch->last_run - patch->first_run;
-        add_patch(s.grid, *patch, runs, count, inverse_r2, absorbed, sums);
+        if (!all) {
+            count = list_near(s.grid, *patch, s.plan.runs.data() + patch->first_run,
+                              patch->last_run - patch->first_run, near.data());
+        }
+        add_patch(s.grid, *patch, near.data(), count, inverse_r2, absorbed, sums);
         heat_nodes(c, *patch, sums);
         push_nodes(c, *patch, sums);
         if (!c.sheets[patch->sheet].faces.heat.empty())
-            direct_nodes(c, *patch, runs, count, inverse_r2, sums);
+            direct_nodes(c, *patch, near.data(), count, inverse_r2, sums);
     }
 }
 
@@ -191,6 +198,7 @@ void couple_fire(const Params& params, double time, double dt,
     const auto blocks = static_cast<std::size_t>(scratch.plan.blocks);
     scratch.absorbed.resize(blocks * particles);
     scratch.touched.resize(blocks);
+    scratch.near.resize(blocks);
     const Coupling coupling{params, sheets, scratch, received, particles};
     pool.for_rows(scratch.plan.blocks, counters.coupling_pairs / scratch.plan.blocks + 1,
                   [&coupling](std::ptrdiff_t begin, std::ptrdiff_t end) {

@@ -172,6 +172,8 @@ void sort_particles(const Params& params, double heating, double time, bool all,
     gather(fire.birth, grid.order, count, grid.freshness);
     gather(fire.temperature, grid.order, count, grid.heating);
     gather(fire.strength, grid.order, count, grid.strength);
+    for (auto* axis : {&grid.x, &grid.y, &grid.z})
+        axis->resize(count + kLanes);
     find_ages(time, params.fire.heating_time, count, grid.freshness.data());
     exp_array(grid.freshness.data(), static_cast<std::ptrdiff_t>(count));
     find_heating(heating, params.heat.ambient, params.fire.temperature - params.heat.ambient, count,

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "sim/lanes.h"
 #include "sim/params.h"
 #include "sim/world_state.h"
 
@@ -25,7 +26,7 @@ struct ParticleGrid {
     std::vector<Index> begin;        ///< first entry of each cell, cells + 3
     std::vector<Index> cell_of;      ///< cell of each particle; those out of reach: the last
     std::vector<Index> order;        ///< particle numbers, by cell, ascending within a cell
-    std::vector<double> x, y, z;     ///< [m] in that order
+    std::vector<double> x, y, z;     ///< [m] in that order; kLanes more can be read
     std::vector<double> vx, vy, vz;  ///< [m/s] in that order
     std::vector<double> heating;     ///< [K/s] at the kernel's centre, in that order
     std::vector<double> freshness;   ///< e^(-age/heating_time), in that order

@@ -3,11 +3,60 @@
 namespace ember {
 namespace {
 
-// One node in each lane, one particle after the other: no lane ever waits for another, runs may
-// have any length, and the five sums of all nodes stay in registers.
+// How far lanes are outside an interval; 0 inside.
+template <class Part>
+EMBER_LANES_INLINE void outside(const Part& at, double low, double high, Part& by) {
+    const Part below = low - at, above = at - high;
+    by = below > above ? below : above;
+    by = by > 0.0 ? by : Part{};
+}
+
+// One particle in each lane. All lanes are written down and only the near ones are kept, without a
+// branch, as which they are cannot be foreseen.
+template <std::size_t kWidth>
+EMBER_LANES_INLINE void list(const ParticleGrid& grid, const NodePatch& patch,
+                             const ParticleRun* runs, std::size_t count, Index* particles,
+                             std::size_t& size) {
+    using L = Lanes<kWidth>;
+    const Box box = patch.box;
+    const double reach2 = grid.reach * grid.reach;
+    std::size_t n = 0;
+    for (std::size_t r = 0; r < count; ++r) {
+        for (Index i = runs[r].begin; i < runs[r].end; i += static_cast<Index>(kLanes)) {
+            L x, y, z;
+            x.load(&grid.x[static_cast<std::size_t>(i)]);
+            y.load(&grid.y[static_cast<std::size_t>(i)]);
+            z.load(&grid.z[static_cast<std::size_t>(i)]);
+            std::int64_t near[kLanes];
+            for (std::size_t k = 0; k < L::kParts; ++k) {
+                typename L::Part dx, dy, dz;
+                outside(x.part[k], box.low[0], box.high[0], dx);
+                outside(y.part[k], box.low[1], box.high[1], dy);
+                outside(z.part[k], box.low[2], box.high[2], dz);
+                const auto in = (typename L::Bits)(dx * dx + dy * dy + dz * dz <= reach2);
+                std::memcpy(near + k * kWidth, &in, sizeof in);
+            }
+            const Index left = runs[r].end - i;
+#pragma GCC unroll 8
+            for (Index l = 0; l < static_cast<Index>(kLanes); ++l) {
+                particles[n] = i + l;
+                n += static_cast<std::size_t>(near[l] & (l < left ? 1 : 0));
+            }
+        }
+    }
+    size = n;
+}
+
+EMBER_LANES_ENTRY(list_particles,
+                  (const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+                   std::size_t count, Index* particles, std::size_t& size),
+                  list<kWidth>(grid, patch, runs, count, particles, size))
+
+// One node in each lane, one particle after the other: no lane ever waits for another, and the five
+// sums of all nodes stay in registers.
 template <std::size_t kWidth>
 EMBER_LANES_INLINE void visit(const ParticleGrid& grid, const NodePatch& patch,
-                              const ParticleRun* runs, std::size_t count, double inverse_r2,
+                              const Index* particles, std::size_t count, double inverse_r2,
                               double* __restrict absorbed, PatchSums& sums) {
     using L = Lanes<kWidth>;
     const double *__restrict px = grid.x.data(), *__restrict py = grid.y.data(),
@@ -18,29 +67,26 @@ EMBER_LANES_INLINE void visit(const ParticleGrid& grid, const NodePatch& patch,
     x.load(patch.x.data()), y.load(patch.y.data()), z.load(patch.z.data());
     share.load(patch.share.data());
     heating.clear(), weight.clear(), mx.clear(), my.clear(), mz.clear();
-    for (std::size_t r = 0; r < count; ++r) {
-        for (auto i = static_cast<std::size_t>(runs[r].begin),
-                  end = static_cast<std::size_t>(runs[r].end);
-             i < end; ++i) {
-            L given;
+    for (std::size_t n = 0; n < count; ++n) {
+        const auto i = static_cast<std::size_t>(particles[n]);
+        L given;
 #pragma GCC unroll 4
-            for (std::size_t k = 0; k < L::kParts; ++k) {
-                const auto dx = px[i] - x.part[k], dy = py[i] - y.part[k], dz = pz[i] - z.part[k];
-                const auto q = 1.0 - (dx * dx + dy * dy + dz * dz) * inverse_r2;
-                // max(q, 0) = (q + |q|) / 2, without a branch or a mask
-                const auto size =
-                    (typename L::Part)((typename L::Bits)q & std::int64_t{0x7FFFFFFFFFFFFFFF});
-                const auto inside = 0.5 * (q + size);
-                const auto w = inside * inside;
-                heating.part[k] += heat[i] * w;
-                weight.part[k] += w;
-                mx.part[k] += pvx[i] * w;
-                my.part[k] += pvy[i] * w;
-                mz.part[k] += pvz[i] * w;
-                given.part[k] = share.part[k] * w;
-            }
-            absorbed[i] += sum_of(given);
+        for (std::size_t k = 0; k < L::kParts; ++k) {
+            const auto dx = px[i] - x.part[k], dy = py[i] - y.part[k], dz = pz[i] - z.part[k];
+            const auto q = 1.0 - (dx * dx + dy * dy + dz * dz) * inverse_r2;
+            // max(q, 0) = (q + |q|) / 2, without a branch or a mask
+            const auto size =
+                (typename L::Part)((typename L::Bits)q & std::int64_t{0x7FFFFFFFFFFFFFFF});
+            const auto inside = 0.5 * (q + size);
+            const auto w = inside * inside;
+            heating.part[k] += heat[i] * w;
+            weight.part[k] += w;
+            mx.part[k] += pvx[i] * w;
+            my.part[k] += pvy[i] * w;
+            mz.part[k] += pvz[i] * w;
+            given.part[k] = share.part[k] * w;
         }
+        absorbed[i] += sum_of(given);
     }
     heating.store(sums.heating.data()), weight.store(sums.weight.data());
     mx.store(sums.momentum_x.data()), my.store(sums.momentum_y.data());
@@ -48,56 +94,60 @@ EMBER_LANES_INLINE void visit(const ParticleGrid& grid, const NodePatch& patch,
 }
 
 EMBER_LANES_ENTRY(add_runs,
-                  (const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+                  (const ParticleGrid& grid, const NodePatch& patch, const Index* particles,
                    std::size_t count, double inverse_r2, double* absorbed, PatchSums& sums),
-                  visit<kWidth>(grid, patch, runs, count, inverse_r2, absorbed, sums))
+                  visit<kWidth>(grid, patch, particles, count, inverse_r2, absorbed, sums))
 
 template <std::size_t kWidth>
 EMBER_LANES_INLINE void visit_directions(const ParticleGrid& grid, const NodePatch& patch,
-                                         const ParticleRun* runs, std::size_t count,
+                                         const Index* particles, std::size_t count,
                                          double inverse_r2, PatchDirections& sums) {
     using L = Lanes<kWidth>;
     L x, y, z, sx, sy, sz;
     x.load(patch.x.data()), y.load(patch.y.data()), z.load(patch.z.data());
     sx.clear(), sy.clear(), sz.clear();
-    for (std::size_t r = 0; r < count; ++r) {
-        for (auto i = static_cast<std::size_t>(runs[r].begin),
-                  end = static_cast<std::size_t>(runs[r].end);
-             i < end; ++i) {
+    for (std::size_t n = 0; n < count; ++n) {
+        const auto i = static_cast<std::size_t>(particles[n]);
 #pragma GCC unroll 4
-            for (std::size_t k = 0; k < L::kParts; ++k) {
-                const auto dx = grid.x[i] - x.part[k], dy = grid.y[i] - y.part[k],
-                           dz = grid.z[i] - z.part[k];
-                const auto q = 1.0 - (dx * dx + dy * dy + dz * dz) * inverse_r2;
-                // max(q, 0), as above
-                const auto size =
-                    (typename L::Part)((typename L::Bits)q & std::int64_t{0x7FFFFFFFFFFFFFFF});
-                const auto inside = 0.5 * (q + size);
-                const auto heat = grid.heating[i] * inside * inside;
-                sx.part[k] += heat * dx;
-                sy.part[k] += heat * dy;
-                sz.part[k] += heat * dz;
-            }
+        for (std::size_t k = 0; k < L::kParts; ++k) {
+            const auto dx = grid.x[i] - x.part[k], dy = grid.y[i] - y.part[k],
+                       dz = grid.z[i] - z.part[k];
+            const auto q = 1.0 - (dx * dx + dy * dy + dz * dz) * inverse_r2;
+            // max(q, 0), as above
+            const auto size =
+                (typename L::Part)((typename L::Bits)q & std::int64_t{0x7FFFFFFFFFFFFFFF});
+            const auto inside = 0.5 * (q + size);
+            const auto heat = grid.heating[i] * inside * inside;
+            sx.part[k] += heat * dx;
+            sy.part[k] += heat * dy;
+            sz.part[k] += heat * dz;
         }
     }
     sx.store(sums.x.data()), sy.store(sums.y.data()), sz.store(sums.z.data());
 }
 
 EMBER_LANES_ENTRY(direct_runs,
-                  (const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+                  (const ParticleGrid& grid, const NodePatch& patch, const Index* particles,
                    std::size_t count, double inverse_r2, PatchDirections& sums),
-                  visit_directions<kWidth>(grid, patch, runs, count, inverse_r2, sums))
+                  visit_directions<kWidth>(grid, patch, particles, count, inverse_r2, sums))
 
 }  // namespace
 
-void add_directions(const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
-                    std::size_t count, double inverse_r2, PatchDirections& sums) {
-    direct_runs(grid, patch, runs, count, inverse_r2, sums);
+std::size_t list_near(const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+                      std::size_t count, Index* list) {
+    std::size_t size = 0;
+    list_particles(grid, patch, runs, count, list, size);
+    return size;
 }
 
-void add_patch(const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+void add_directions(const ParticleGrid& grid, const NodePatch& patch, const Index* particles,
+                    std::size_t count, double inverse_r2, PatchDirections& sums) {
+    direct_runs(grid, patch, particles, count, inverse_r2, sums);
+}
+
+void add_patch(const ParticleGrid& grid, const NodePatch& patch, const Index* particles,
                std::size_t count, double inverse_r2, double* absorbed, PatchSums& sums) {
-    add_runs(grid, patch, runs, count, inverse_r2, absorbed, sums);
+    add_runs(grid, patch, particles, count, inverse_r2, absorbed, sums);
 }
 
 }  // namespace ember

@@ -19,13 +19,19 @@ struct PatchDirections {
     alignas(64) std::array<double, kLanes> x, y, z;  ///< [K m/s] Σ heating (x_p - x_n)
 };
 
-/// Sums over the same runs as add_patch().
-void add_directions(const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+/// Lists those particles of `count` runs, in order, that are within reach of the patch's box: less
+/// than half of them, as runs are made of whole cells. The others would add zeros to the sums.
+/// `list` must have room for all of them and kLanes more. Returns how many there are.
+std::size_t list_near(const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+                      std::size_t count, Index* list);
+
+/// Sums over the same particles as add_patch().
+void add_directions(const ParticleGrid& grid, const NodePatch& patch, const Index* particles,
                     std::size_t count, double inverse_r2, PatchDirections& sums);
 
-/// Sums over `count` runs of particles, in order, and adds to each particle's `absorbed` what the
-/// patch takes of it. `inverse_r2` [1/m²]: 1 / r_k².
-void add_patch(const ParticleGrid& grid, const NodePatch& patch, const ParticleRun* runs,
+/// Sums over `count` listed particles, in order, and adds to each one's `absorbed` what the patch
+/// takes of it. `inverse_r2` [1/m²]: 1 / r_k².
+void add_patch(const ParticleGrid& grid, const NodePatch& patch, const Index* particles,
                std::size_t count, double inverse_r2, double* absorbed, PatchSums& sums);
 
 }  // namespace ember
