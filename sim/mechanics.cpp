@@ -3,103 +3,16 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/node_step.h"
 #include "sim/vectorise.h"
 
 namespace ember {
 namespace {
 
-// Pointers to the same component of a run of nodes.
-struct Run {
-    std::ptrdiff_t first, count;
-};
-
 EMBER_VECTORISED void add_to(std::ptrdiff_t count, const double* __restrict added,
                              double* __restrict sum) {
     for (std::ptrdiff_t i = 0; i < count; ++i)
         sum[i] += added[i];
-}
-
-EMBER_VECTORISED void divide_by_mass(const NodeLoads& loads, const Run run,
-                                     const std::array<const double*, 3>& f,
-                                     const std::array<double*, 3>& a) {
-    const double *fx = f[0], *fy = f[1], *fz = f[2];
-    const double *lx = loads.force.x.data() + run.first, *ly = loads.force.y.data() + run.first,
-                 *lz = loads.force.z.data() + run.first,
-                 *inverse_mass = loads.inverse_mass.data() + run.first;
-    double* __restrict ax = a[0], * __restrict ay = a[1], * __restrict az = a[2];
-    // nothing overlaps, but there are too many arrays for the compiler to check
-#pragma GCC ivdep
-    for (std::ptrdiff_t i = 0; i < run.count; ++i) {
-        const double inverse = inverse_mass[i];
-        ax[i] = (fx[i] + lx[i]) * inverse;
-        ay[i] = (fy[i] + ly[i]) * inverse;
-        az[i] = (fz[i] + lz[i]) * inverse;
-    }
-}
-
-// Accelerations of nodes in the air, on which springs exert f, with drag
-// F = -c [(v·n) n + τ (v - (v·n) n)]; `power` is what the drag takes at the velocity w + half·a.
-// One pass, since the arrays of a large sheet have to come from far.
-EMBER_VECTORISED void divide_in_air(const NodeLoads& loads, const Run run,
-                                    const std::array<const double*, 3>& f,
-                                    const std::array<const double*, 3>& v,
-                                    const std::array<const double*, 3>& w, double half,
-                                    const std::array<double*, 3>& a, double* __restrict power) {
-    const double tau = loads.drag_tangential;
-    const double *fx = f[0], *fy = f[1], *fz = f[2], *vx = v[0], *vy = v[1], *vz = v[2];
-    const double *wx = w[0], *wy = w[1], *wz = w[2];
-    const double *nx = loads.normal.x.data() + run.first, *ny = loads.normal.y.data() + run.first,
-                 *nz = loads.normal.z.data() + run.first;
-    const double *lx = loads.force.x.data() + run.first, *ly = loads.force.y.data() + run.first,
-                 *lz = loads.force.z.data() + run.first;
-    const double *drag = loads.drag.data() + run.first,
-                 *inverse_mass = loads.inverse_mass.data() + run.first;
-    double* __restrict ax = a[0], * __restrict ay = a[1], * __restrict az = a[2];
-    // nothing overlaps, but there are too many arrays for the compiler to check
-#pragma GCC ivdep
-    for (std::ptrdiff_t i = 0; i < run.count; ++i) {
-        const double inverse = inverse_mass[i], c = drag[i];
-        const double across = (1.0 - tau) * (vx[i] * nx[i] + vy[i] * ny[i] + vz[i] * nz[i]);
-        const double gx = c * (across * nx[i] + tau * vx[i]);
-        const double gy = c * (across * ny[i] + tau * vy[i]);
-        const double gz = c * (across * nz[i] + tau * vz[i]);
-        const double bx = (fx[i] - gx + lx[i]) * inverse;
-        const double by = (fy[i] - gy + ly[i]) * inverse;
-        const double bz = (fz[i] - gz + lz[i]) * inverse;
-        ax[i] = bx, ay[i] = by, az[i] = bz;
-        const double lost =
-            gx * (wx[i] + half * bx) + gy * (wy[i] + half * by) + gz * (wz[i] + half * bz);
-        power[i] = inverse > 0.0 ? lost : 0.0;
-    }
-}
-
-// The three components of an array whose components are `pitch` apart, from a node on.
-template <class Pointer>
-std::array<Pointer, 3> components(Pointer array, std::ptrdiff_t pitch, std::ptrdiff_t first) {
-    return {array + first, array + pitch + first, array + 2 * pitch + first};
-}
-
-// w <- w + kick a, x <- x + drift w, u <- w + lead a; `power` is what the springs' friction takes.
-EMBER_VECTORISED void kick_and_drift(const Leap step, const Run run, std::ptrdiff_t n,
-                                     const std::array<const double*, 3>& a,
-                                     const std::array<const double*, 3>& friction,
-                                     double* __restrict power) {
-    const auto w = components(step.w, n, run.first), x = components(step.x, n, run.first),
-               u = components(step.u, n, run.first);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        double* __restrict wi = w[axis], * __restrict xi = x[axis], * __restrict ui = u[axis];
-        const double *ai = a[axis], *fi = friction[axis];
-        // nothing overlaps, but there are too many arrays for the compiler to check
-#pragma GCC ivdep
-        for (std::ptrdiff_t i = 0; i < run.count; ++i) {
-            const double before = wi[i], after = before + step.kick * ai[i];
-            wi[i] = after;
-            xi[i] += step.drift * after;
-            ui[i] = after + step.lead * ai[i];
-            const double lost = fi[i] * (before + step.mean * ai[i]);
-            power[i] = axis == 0 ? -lost : power[i] - lost;
-        }
-    }
 }
 
 // What becomes of the forces on a run of nodes: accelerations, or a step.
@@ -109,24 +22,14 @@ class Finish {
     Finish(const Mechanics& mechanics, const Leap& step)
         : m_(mechanics), v_(step.u), step_(&step) {}
 
-    // Springs in the stencil exert `f` on the run, as SpringRow::force. Returns the power of the
-    // drag, and for a step that of the springs' friction too.
-    // With forces that were kept, `f` is given nothing.
-    LostPower operator()(const Run run, double* f, int thread) const {
+    // Springs in the stencil exert `f` on the run, as SpringRow::force; not when forces were kept.
+    // Returns the power of the drag, and for a step that of the springs' friction too.
+    LostPower operator()(const NodeRun& run, double* f, int thread) const {
         if (evaluates()) add_extra(run, f);
-        if (step_ != nullptr) keep(run, f);
-        const std::ptrdiff_t pitch = m_.forces.pitch;
-        double* power = m_.forces.finishing[static_cast<std::size_t>(thread)].data();
-        if (step_ == nullptr)
-            return {0.0, divide(run, f, components(a_, node_count(), run.first), power)};
-        const auto a = components(power + pitch, pitch, 0);
-        LostPower lost;
-        lost.drag = divide(run, f, a, power);
-        kick_and_drift(*step_, run, node_count(),
-                       components<const double*>(power + pitch, pitch, 0),
-                       components<const double*>(f + 3 * pitch, pitch, 0), power);
-        lost.damping = sum_in_lanes(power, run.count);
-        return lost;
+        double* scratch = m_.forces.finishing[static_cast<std::size_t>(thread)].data();
+        if (step_ == nullptr) return accelerate(run, f, scratch);
+        keep(run, f);
+        return move(run, f, scratch);
     }
 
     [[nodiscard]] bool evaluates() const {
@@ -138,7 +41,7 @@ class Finish {
         return static_cast<std::ptrdiff_t>(m_.node_count());
     }
 
-    void keep(const Run run, double* f) const {
+    void keep(const NodeRun& run, double* f) const {
         if (step_->source == ForceSource::Motion) return;
         for (std::ptrdiff_t c = 0; c < 6; ++c) {
             double *here = f + c * m_.forces.pitch,
@@ -151,7 +54,7 @@ class Finish {
         }
     }
 
-    void add_extra(const Run run, double* f) const {
+    void add_extra(const NodeRun& run, double* f) const {
         if (m_.plate != nullptr) {
             for (std::ptrdiff_t c = 0; c < 3; ++c) {
                 add_to(run.count, m_.plate_forces->total.data() + c * node_count() + run.first,
@@ -168,19 +71,30 @@ class Finish {
         }
     }
 
-    double divide(const Run run, const double* f, const std::array<double*, 3>& a,
-                  double* power) const {
+    LostPower accelerate(const NodeRun& run, const double* f, double* power) const {
         const std::ptrdiff_t n = node_count(), pitch = m_.forces.pitch;
-        const NodeLoads& loads = m_.loads;
-        if (loads.has_drag) {
-            const bool leaps = step_ != nullptr;
-            divide_in_air(loads, run, components(f, pitch, 0), components(v_, n, run.first),
-                          components(leaps ? step_->w : v_, n, run.first),
-                          leaps ? step_->mean : 0.0, a, power);
-            return sum_in_lanes(power, run.count);
+        const auto a = components(a_, n, run.first);
+        if (!m_.loads.has_drag) {
+            divide_by_mass(m_.loads, run, components(f, pitch, 0), a);
+            return {};
         }
-        divide_by_mass(loads, run, components<const double*>(f, pitch, 0), a);
-        return 0.0;
+        divide_in_air(m_.loads, run, components(f, pitch, 0), components(v_, n, run.first), a,
+                      power);
+        return {0.0, sum_in_lanes(power, run.count)};
+    }
+
+    LostPower move(const NodeRun& run, const double* f, double* scratch) const {
+        const std::ptrdiff_t n = node_count(), pitch = m_.forces.pitch;
+        const auto forces = components(f, pitch, 0), friction = components(f + 3 * pitch, pitch, 0);
+        if (m_.loads.has_drag) {
+            double *dragged = scratch, *rubbed = scratch + pitch;
+            leap_in_air(m_.loads, *step_, run, n, forces, friction, dragged, rubbed);
+            return {sum_in_lanes(rubbed, run.count), sum_in_lanes(dragged, run.count)};
+        }
+        double* a = scratch + pitch;
+        divide_by_mass(m_.loads, run, forces, components(a, pitch, 0));
+        kick_and_drift(*step_, run, n, components<const double*>(a, pitch, 0), friction, scratch);
+        return {sum_in_lanes(scratch, run.count), 0.0};
     }
 
     const Mechanics& m_;
