@@ -44,7 +44,8 @@ EMBER_VECTORISED void find_chords(const ParticleGrid& grid, const Box& box, Line
     const std::size_t count = lines.count;
     for (std::size_t i = 0; i < count; ++i) {
         const double chord2 = reach2 - lines.miss2_y[i] - lines.miss2_z[i];
-        const double chord = std::sqrt(chord2 > 0.0 ? chord2 : 0.0);
+        // not of a negative number, which a choice between two roots would compute all the same
+        const double chord = std::sqrt(0.5 * (chord2 + std::abs(chord2)));
         const double from = (low - chord - start) * per_cell,
                      to = (high + chord - start) * per_cell;
         // as ParticleGrid::cell_along

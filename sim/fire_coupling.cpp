@@ -97,20 +97,19 @@ void couple_block(const Coupling& c, Index block) {
     s.touched[static_cast<std::size_t>(block)] = touched;
     const double radius = c.params.fire.kernel_radius, inverse_r2 = 1.0 / (radius * radius);
     PatchSums sums;
-    std::vector<Index>& near = s.near[static_cast<std::size_t>(block)];
-    near.resize(c.particles + kLanes);
+    Index* near = s.near.data() + static_cast<std::size_t>(block) * (c.particles + kLanes);
     std::size_t count = c.particles;
-    if (all) std::iota(near.begin(), near.end(), 0);
+    if (all) std::iota(near, near + c.particles, 0);
     for (auto patch = first; patch != last; ++patch) {
         if (!all) {
             count = list_near(s.grid, *patch, s.plan.runs.data() + patch->first_run,
-                              patch->last_run - patch->first_run, near.data());
+                              patch->last_run - patch->first_run, near);
         }
-        add_patch(s.grid, *patch, near.data(), count, inverse_r2, absorbed, sums);
+        add_patch(s.grid, *patch, near, count, inverse_r2, absorbed, sums);
         heat_nodes(c, *patch, sums);
         push_nodes(c, *patch, sums);
         if (!c.sheets[patch->sheet].faces.heat.empty())
-            direct_nodes(c, *patch, near.data(), count, inverse_r2, sums);
+            direct_nodes(c, *patch, near, count, inverse_r2, sums);
     }
 }
 
@@ -198,7 +197,7 @@ void couple_fire(const Params& params, double time, double dt,
     const auto blocks = static_cast<std::size_t>(scratch.plan.blocks);
     scratch.absorbed.resize(blocks * particles);
     scratch.touched.resize(blocks);
-    scratch.near.resize(blocks);
+    scratch.near.resize(blocks * (particles + kLanes));
     const Coupling coupling{params, sheets, scratch, received, particles};
     pool.for_rows(scratch.plan.blocks, counters.coupling_pairs / scratch.plan.blocks + 1,
                   [&coupling](std::ptrdiff_t begin, std::ptrdiff_t end) {

@@ -34,8 +34,8 @@ struct CouplingScratch {
     CouplingPlan plan;
     std::vector<double> absorbed;      ///< Σ (area / r_k²) W in the grid's order, for each block
     std::vector<ParticleRun> touched;  ///< by each block
-    std::vector<std::vector<Index>> near;  ///< particles near a patch, for each block
-    std::vector<double> kept;              ///< share of its excess that each particle keeps
+    std::vector<Index> near;           ///< particles near a patch, for each block
+    std::vector<double> kept;          ///< share of its excess that each particle keeps
 };
 
 /// A of the law above [K/s].
