@@ -35,7 +35,7 @@ EMBER_VECTORISED void motion_terms(std::ptrdiff_t first, std::ptrdiff_t count,
                  *z = sheet.velocity.z.data() + first, *mass = sheet.mass.data() + first,
                  *height = sheet.position.y.data() + first;
     const std::uint8_t* piece_held = sheet.piece_held.data() + first;
-    const double while_held = world.gravity * world.held_gravity;
+    const double while_held = world.gravity_while_held();
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const double gravity = piece_held[i] != 0 ? while_held : world.gravity;
         kinetic[i] = 0.5 * mass[i] * (x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);

@@ -17,12 +17,6 @@ struct MechanicalEnergy {
     }
 };
 
-/// Gravity that node n feels [m/s^2]: less while its piece is held (world.held_gravity).
-[[nodiscard]] inline double node_gravity(const WorldParams& world, const SheetState& sheet,
-                                         std::size_t n) {
-    return world.gravity * (sheet.piece_held[n] != 0 ? world.held_gravity : 1.0);
-}
-
 /// The energy of one sheet: ½ Σ m v², ½ Σ k (L - l)², Σ m g y. `rows` is scratch. The same bits for
 /// any number of threads.
 [[nodiscard]] MechanicalEnergy sheet_energy(const Lattice& lattice, const WorldParams& world,

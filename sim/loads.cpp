@@ -2,12 +2,31 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/energy.h"
+#include "sim/vectorise.h"
 #include "sim/wind.h"
 
 namespace ember {
 
 namespace {
+
+// Inverse masses, and what pulls down; a node of a piece that is held feels `held_gravity`.
+EMBER_VECTORISED void weigh(std::ptrdiff_t count, const double* __restrict mass,
+                            const std::uint8_t* __restrict held,
+                            const std::uint8_t* __restrict piece_held, double gravity,
+                            double held_gravity, const double* __restrict push,
+                            double* __restrict inverse_mass, double* __restrict down) {
+    for (std::ptrdiff_t n = 0; n < count; ++n) {
+        const double inverse = 1.0 / mass[n];
+        inverse_mass[n] = held[n] != 0 ? 0.0 : inverse;
+        down[n] = push[n] - mass[n] * (piece_held[n] != 0 ? held_gravity : gravity);
+    }
+}
+
+EMBER_VECTORISED void find_drag(std::ptrdiff_t count, const double* __restrict initial_mass,
+                                double drag, double grammage, double* __restrict to) {
+    for (std::ptrdiff_t n = 0; n < count; ++n)
+        to[n] = drag * initial_mass[n] / grammage;
+}
 
 void add_wind(const Vector3& wind, NodeLoads& loads) {
     const std::size_t nodes = loads.drag.size();
@@ -33,19 +52,22 @@ void gather_loads(const Params& params, const SheetState& sheet, const NodeFire&
     loads.has_drag = params.world.air_drag > 0;
     loads.drag_tangential = params.world.air_drag_tangential;
     const Vector3 wind = wind_velocity(params.wind, middle);
-    const bool burning_near = fire.force.size() == nodes;
-    for (std::size_t n = 0; n < nodes; ++n) {
-        loads.inverse_mass[n] = sheet.held[n] != 0 ? 0.0 : 1.0 / sheet.mass[n];
-        const Vector3 push = burning_near ? fire.force.at(n) : Vector3(Vector3::Zero());
-        const double weight = sheet.mass[n] * node_gravity(params.world, sheet, n);
-        loads.fire.set(n, push);
-        loads.force.set(n, push - Vector3(0, weight, 0));
+    if (fire.force.size() == nodes) {
+        loads.fire = fire.force;
+    } else {
+        for (std::vector<double>* axis : {&loads.fire.x, &loads.fire.y, &loads.fire.z})
+            axis->assign(nodes, 0.0);
     }
+    loads.force.x = loads.fire.x;
+    loads.force.z = loads.fire.z;
+    const auto count = static_cast<std::ptrdiff_t>(nodes);
+    weigh(count, sheet.mass.data(), sheet.held.data(), sheet.piece_held.data(),
+          params.world.gravity, params.world.gravity_while_held(),
+          loads.fire.y.data(), loads.inverse_mass.data(), loads.force.y.data());
     if (!loads.has_drag) return;
     loads.drag.resize(nodes);
-    for (std::size_t n = 0; n < nodes; ++n) {
-        loads.drag[n] = params.world.air_drag * sheet.initial_mass[n] / params.paper.grammage;
-    }
+    find_drag(count, sheet.initial_mass.data(), params.world.air_drag, params.paper.grammage,
+              loads.drag.data());
     node_normals(sheet, loads.normal);
     if (wind != Vector3::Zero()) add_wind(wind, loads);
 }

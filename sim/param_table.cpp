@@ -94,7 +94,7 @@ std::vector<std::string> plausibility_warnings(const Params& params) {
     warn_if((params.wind.x != 0 || params.wind.y != 0 || params.wind.z != 0) &&
                 params.world.air_drag == 0,
             "world.air_drag is 0: the wind does not move the paper");
-    const double held_gravity = params.world.gravity * params.world.held_gravity;
+    const double held_gravity = params.world.gravity_while_held();
     warn_if(held_gravity / params.springs.stiffness_scale > 0.1,
             "gravity over springs.stiffness_scale is above 0.1 m/s^2: the sheet hangs like rubber; "
             "raise the scale or lower world.held_gravity");

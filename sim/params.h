@@ -116,6 +116,8 @@ struct WorldParams {
     double air_drag = 0.3;              // [kg/(m^2 s)] across the sheet
     double air_drag_tangential = 0.15;  // [1] share of it along the sheet
     bool ground = true;                 // paper rests on it at y = 0
+
+    [[nodiscard]] double gravity_while_held() const { return gravity * held_gravity; }
 };
 
 /// What keeps paper from passing through the ground and through paper.
