@@ -11,6 +11,8 @@
 // have the plain version only. Calls from other files would not be dispatched.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(EMBER_PLAIN) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define EMBER_LANES_DISPATCHED
+#include <immintrin.h>
 #define EMBER_LANES_CLONE(isa, width, name, parameters, call) \
     __attribute__((target(isa))) void name parameters {       \
         constexpr std::size_t kWidth = width;                 \

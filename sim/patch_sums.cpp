@@ -11,8 +11,34 @@ EMBER_LANES_INLINE void outside(const Part& at, double low, double high, Part& b
     by = by > 0.0 ? by : Part{};
 }
 
-// One particle in each lane. All lanes are written down and only the near ones are kept, without a
+// Writes down `first` + l for the first lanes l, `left` of them, whose bits are set. There is no
 // branch, as which they are cannot be foreseen.
+template <std::size_t kWidth>
+EMBER_LANES_INLINE void append(const typename Lanes<kWidth>::Bits (&bits)[Lanes<kWidth>::kParts],
+                               Index first, Index left, Index* to, std::size_t& size) {
+#ifdef EMBER_LANES_DISPATCHED
+    if constexpr (kWidth == kLanes) {
+        typedef long long Longs __attribute__((vector_size(64)));
+        typedef int Ints __attribute__((vector_size(64)));
+        const Ints numbers = first + Ints{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+        const auto valid = static_cast<unsigned char>(left < 8 ? (1 << left) - 1 : 0xFF);
+        const unsigned char in = __builtin_ia32_ptestmq512((Longs)bits[0], (Longs)bits[0], valid);
+        __builtin_ia32_compressstoresi512_mask((Ints*)(to + size), numbers, in);
+        size += static_cast<std::size_t>(__builtin_popcount(in));
+        return;
+    }
+#endif
+    // all are written, and only the right ones kept
+    std::int64_t lane[kLanes];
+    std::memcpy(lane, bits, sizeof lane);
+#pragma GCC unroll 8
+    for (Index l = 0; l < static_cast<Index>(kLanes); ++l) {
+        to[size] = first + l;
+        size += static_cast<std::size_t>(lane[l] & (l < left ? 1 : 0));
+    }
+}
+
+// One particle in each lane.
 template <std::size_t kWidth>
 EMBER_LANES_INLINE void list(const ParticleGrid& grid, const NodePatch& patch,
                              const ParticleRun* runs, std::size_t count, Index* particles,
@@ -27,21 +53,15 @@ EMBER_LANES_INLINE void list(const ParticleGrid& grid, const NodePatch& patch,
             x.load(&grid.x[static_cast<std::size_t>(i)]);
             y.load(&grid.y[static_cast<std::size_t>(i)]);
             z.load(&grid.z[static_cast<std::size_t>(i)]);
-            std::int64_t near[kLanes];
+            typename L::Bits near[L::kParts];
             for (std::size_t k = 0; k < L::kParts; ++k) {
                 typename L::Part dx, dy, dz;
                 outside(x.part[k], box.low[0], box.high[0], dx);
                 outside(y.part[k], box.low[1], box.high[1], dy);
                 outside(z.part[k], box.low[2], box.high[2], dz);
-                const auto in = (typename L::Bits)(dx * dx + dy * dy + dz * dz <= reach2);
-                std::memcpy(near + k * kWidth, &in, sizeof in);
+                near[k] = (typename L::Bits)(dx * dx + dy * dy + dz * dz <= reach2);
             }
-            const Index left = runs[r].end - i;
-#pragma GCC unroll 8
-            for (Index l = 0; l < static_cast<Index>(kLanes); ++l) {
-                particles[n] = i + l;
-                n += static_cast<std::size_t>(near[l] & (l < left ? 1 : 0));
-            }
+            append<kWidth>(near, i, runs[r].end - i, particles, n);
         }
     }
     size = n;
