@@ -87,6 +87,7 @@ StepReport World::step(StageObserver* observer) {
     take_scripted();
     const bool checked = params_.numerics.check;
     if (checked) {
+        const StageScope scope(observer, Stage::Check);
         // a copy makes room for what it holds and no more, but a fire grows in nearly every tick
         const std::size_t room = state_.fire.id.capacity();
         for_each_array(work_->before.fire, [room](auto& array) { array.reserve(room); });
