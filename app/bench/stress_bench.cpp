@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <mutex>
+#include <utility>
 
 #include "app/bench/benches.h"
 #include "app/bench/chart.h"
 #include "app/bench/stress_run.h"
 #include "app/exit_code.h"
 #include "app/preset_io/atomic_file.h"
+#include "app/progress.h"
 
 namespace ember {
 namespace {
@@ -74,6 +77,26 @@ void print_failure(const StressCase& c, const StressOutcome& outcome,
         static_cast<long long>(options.seed), c.name.c_str(), reproduction(c).c_str());
 }
 
+// Says what fails as soon as it has, since a sweep may take an hour.
+void run_all(const std::vector<StressCase>& cases, const StressOptions& options,
+             std::vector<StressOutcome>& outcomes) {
+    Progress progress("cases", static_cast<long>(cases.size()),
+                      Progress::style_of("auto", !options.only.empty()));
+    std::mutex one_at_a_time;
+    long done = 0;
+    run_jobs(cases.size(), options.common.threads, [&](std::size_t i) {
+        StressOutcome outcome = run_stress(cases[i], options.traps);
+        const std::lock_guard lock(one_at_a_time);
+        if (outcome.end == StressEnd::Failed) {
+            print_failure(cases[i], outcome, options);
+            std::fflush(stdout);
+        }
+        outcomes[i] = std::move(outcome);
+        progress.update(++done);
+    });
+    progress.finish();
+}
+
 // Where floating-point exceptions were, with how many cases and the first of them.
 std::size_t print_traps(const std::vector<StressCase>& cases,
                         const std::vector<StressOutcome>& outcomes) {
@@ -104,13 +127,10 @@ int bench_stress(const StressOptions& options) {
     const std::vector<StressCase> cases = all_cases(options);
     std::vector<StressOutcome> outcomes(cases.size());
     const double start = wall_seconds();
-    run_jobs(cases.size(), options.common.threads,
-             [&](std::size_t i) { outcomes[i] = run_stress(cases[i], options.traps); });
+    run_all(cases, options, outcomes);
     int counts[4] = {};
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        ++counts[static_cast<std::size_t>(outcomes[i].end)];
-        if (outcomes[i].end == StressEnd::Failed) print_failure(cases[i], outcomes[i], options);
-    }
+    for (const StressOutcome& outcome : outcomes)
+        ++counts[static_cast<std::size_t>(outcome.end)];
     const std::size_t trapped = print_traps(cases, outcomes);
     std::printf(
         "stress: %zu cases in %.1f s: %d ran, %d stopped with a reason, %d refused, "
