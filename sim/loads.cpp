@@ -62,8 +62,8 @@ void gather_loads(const Params& params, const SheetState& sheet, const NodeFire&
     loads.force.z = loads.fire.z;
     const auto count = static_cast<std::ptrdiff_t>(nodes);
     weigh(count, sheet.mass.data(), sheet.held.data(), sheet.piece_held.data(),
-          params.world.gravity, params.world.gravity_while_held(),
-          loads.fire.y.data(), loads.inverse_mass.data(), loads.force.y.data());
+          params.world.gravity, params.world.gravity_while_held(), loads.fire.y.data(),
+          loads.inverse_mass.data(), loads.force.y.data());
     if (!loads.has_drag) return;
     loads.drag.resize(nodes);
     find_drag(count, sheet.initial_mass.data(), params.world.air_drag, params.paper.grammage,
