@@ -71,7 +71,8 @@ double steps_of_nodes(const Tick& t, std::int64_t intervals) {
     for (const SheetWorkspace& w : t.work.sheets) {
         if (w.loads.contact.size() == 0 || w.awake.spans.empty()) continue;
         const std::int64_t each = (w.control.substeps + intervals - 1) / intervals;
-        sum += static_cast<double>(each * intervals) * static_cast<double>(w.loads.drag.size());
+        sum += static_cast<double>(each * intervals) *
+               static_cast<double>(w.loads.inverse_mass.size());
     }
     return sum;
 }
