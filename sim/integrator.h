@@ -58,8 +58,8 @@ struct IntegratorScratch {
 ///   rk4                     4      4
 ///   dopri5                  5(4)   6   Dormand and Prince 1980, error control
 ///   rkf78                   8(7)   13  Fehlberg 1968, error control
-///   adams_bashforth_moulton 7      2   PECE, started by rkf78 in every tick, since the fire,
-///                                      the cuts and the masses change between ticks
+///   adams_bashforth_moulton 7      2   PECE, started by Butcher's method of order 6 in every
+///                                      tick, since fire, cuts and masses change between ticks
 ///   rosenbrock              2      3   ROS2 (Verwer et al. 1999), linearly implicit, L-stable,
 ///                                      error control of order 2(1)
 ///

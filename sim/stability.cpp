@@ -265,13 +265,15 @@ double stable_step(IntegratorKind integrator, const FastestMotion& fastest) {
         // and at a velocity extrapolated half a step: ω²h² + 4γh < 4
         case IntegratorKind::VelocityVerlet:
             return 2.0 / (g + std::sqrt(g * g + w * w));
+        // an ellipse in ωh and γh within its region of stability, at least three quarters of it
+        // everywhere
+        case IntegratorKind::AdamsBashforthMoulton:
+            return 1.0 / std::sqrt(w * w / (1.2 * 1.2) + g * g / (0.75 * 0.75));
         // the others: the largest half disc in the left half-plane that is stable
         case IntegratorKind::Dopri5:
             return 1.0 / rate;
         case IntegratorKind::Rkf78:
             return 2.38 / rate;
-        case IntegratorKind::AdamsBashforthMoulton:
-            return 0.75 / rate;
         case IntegratorKind::Auto:
         case IntegratorKind::Rk4:
             return 2.6 / rate;  // 2.83 holds only undamped

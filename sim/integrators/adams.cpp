@@ -124,7 +124,8 @@ class Adams {
     void start(double h) {
         LostPower last;
         std::copy_n(rates_[0].a, count_, s_.accelerations[0].data());
-        const TickWork lost = runge_kutta_step(kRkf78, m_, h, rates_[0].power, last, s_, counters_);
+        const TickWork lost =
+            runge_kutta_step(kButcher6, m_, h, rates_[0].power, last, s_, counters_);
         work_.damping += lost.damping;
         work_.drag += lost.drag;
         std::swap(s_.present, s_.stage);

@@ -72,6 +72,18 @@ inline constexpr Tableau kDopri5 =
               .error = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525,
                         -1.0 / 40}});
 
+/// Order 6 in the fewest stages that there can be (Butcher 1964).
+inline constexpr Tableau kButcher6 =
+    complete({.stages = 7,
+              .a = {{{},
+                     {1.0 / 3},
+                     {0, 2.0 / 3},
+                     {1.0 / 12, 1.0 / 3, -1.0 / 12},
+                     {-1.0 / 16, 9.0 / 8, -3.0 / 16, -3.0 / 8},
+                     {0, 9.0 / 8, -3.0 / 8, -3.0 / 4, 1.0 / 2},
+                     {9.0 / 44, -9.0 / 11, 63.0 / 44, 18.0 / 11, 0, -16.0 / 11}}},
+              .b = {11.0 / 120, 0, 27.0 / 40, 27.0 / 40, -4.0 / 15, -4.0 / 15, 11.0 / 120}});
+
 /// Order 8 with an estimate of order 7 (Fehlberg 1968).
 inline constexpr Tableau kRkf78 = complete(
     {.stages = 13,
