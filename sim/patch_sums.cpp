@@ -113,7 +113,7 @@ EMBER_LANES_INLINE void visit(const ParticleGrid& grid, const NodePatch& patch,
     mz.store(sums.momentum_z.data());
 }
 
-EMBER_LANES_ENTRY(add_runs,
+EMBER_LANES_ENTRY(add_particles,
                   (const ParticleGrid& grid, const NodePatch& patch, const Index* particles,
                    std::size_t count, double inverse_r2, double* absorbed, PatchSums& sums),
                   visit<kWidth>(grid, patch, particles, count, inverse_r2, absorbed, sums))
@@ -146,7 +146,7 @@ EMBER_LANES_INLINE void visit_directions(const ParticleGrid& grid, const NodePat
     sx.store(sums.x.data()), sy.store(sums.y.data()), sz.store(sums.z.data());
 }
 
-EMBER_LANES_ENTRY(direct_runs,
+EMBER_LANES_ENTRY(direct_particles,
                   (const ParticleGrid& grid, const NodePatch& patch, const Index* particles,
                    std::size_t count, double inverse_r2, PatchDirections& sums),
                   visit_directions<kWidth>(grid, patch, particles, count, inverse_r2, sums))
@@ -162,12 +162,12 @@ std::size_t list_near(const ParticleGrid& grid, const NodePatch& patch, const Pa
 
 void add_directions(const ParticleGrid& grid, const NodePatch& patch, const Index* particles,
                     std::size_t count, double inverse_r2, PatchDirections& sums) {
-    direct_runs(grid, patch, particles, count, inverse_r2, sums);
+    direct_particles(grid, patch, particles, count, inverse_r2, sums);
 }
 
 void add_patch(const ParticleGrid& grid, const NodePatch& patch, const Index* particles,
                std::size_t count, double inverse_r2, double* absorbed, PatchSums& sums) {
-    add_runs(grid, patch, particles, count, inverse_r2, absorbed, sums);
+    add_particles(grid, patch, particles, count, inverse_r2, absorbed, sums);
 }
 
 }  // namespace ember

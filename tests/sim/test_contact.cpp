@@ -1,40 +1,21 @@
-// Contact: where things come to rest, how far they slide, and that nothing passes through.
+// Contact: where things come to rest, how far they slide, and what it costs.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "crossing.h"
-#include "rig.h"
+#include "falling_sheets.h"
 #include "sim/contact.h"
 #include "sim/world.h"
 
 namespace ember {
 namespace {
 
-constexpr double kGravity = 9.81;
-
-Params falling() {
-    Params p = test::plain(6, 8);
-    p.world.gravity = kGravity;
-    p.world.ground = true;
-    p.springs.stiffness_scale = 40;
-    return p;
-}
-
-// A horizontal sheet of `params` with its first corner at `origin`.
-SheetPlan plan_at(const Params& params, const Vector3& origin) {
-    SheetPlan plan = make_scene(params).sheets[0];
-    plan.origin = origin;
-    return plan;
-}
-
-World world_of(const Params& params, const std::vector<Vector3>& origins, int threads = 1) {
-    Scene scene;
-    for (const Vector3& origin : origins)
-        scene.sheets.push_back(plan_at(params, origin));
-    return World(scene, params, threads);
-}
+using test::falling;
+using test::four_places;
+using test::kGravity;
+using test::run;
+using test::world_of;
 
 // Lets all sheets move; the ledger takes it as an edit.
 void set_velocities(World& world, const std::vector<Vector3>& velocities) {
@@ -45,18 +26,6 @@ void set_velocities(World& world, const std::vector<Vector3>& velocities) {
     }
     world.restore(std::move(state));
     static_cast<void>(world.apply(world.params()));
-}
-
-StepCounters run(World& world, double seconds) {
-    StepCounters sum;
-    for (double t = 0; t < seconds; t += world.tick_duration()) {
-        const StepReport report = world.step();
-        EXPECT_TRUE(report.ok()) << cause_text(report);
-        sum.contacts += report.counters.contacts;
-        sum.contact_visited += report.counters.contact_visited;
-        sum.contact_pairs += report.counters.contact_pairs;
-    }
-    return sum;
 }
 
 struct Momentum {
@@ -135,108 +104,6 @@ TEST(Contact, WithoutFrictionItSlidesOn) {
     run(world, 0.5);
     const double way = centre_of(world.state().sheets[0]).x() - from;
     EXPECT_NEAR(way, 0.5 * world.state().time, 1e-12);
-}
-
-std::vector<Vector3> four_places() {
-    return {Vector3(0, 0.020, 0), Vector3(0.004, 0.040, -0.003), Vector3(-0.003, 0.060, 0.006),
-            Vector3(0.007, 0.080, 0.002)};
-}
-
-// Least height of a node of one sheet over the quad of another that lies below or above it.
-double least_gap(const SheetState& upper, const SheetState& lower) {
-    double least = 1;
-    for (std::size_t n = 0; n < upper.mass.size(); ++n) {
-        const Vector3 p = upper.position.at(n);
-        for (const Quad& quad : lower.quads) {
-            const auto corner = [&](std::size_t k) {
-                return lower.position.at(static_cast<std::size_t>(quad[k]));
-            };
-            for (const std::size_t k : {std::size_t{1}, std::size_t{2}}) {
-                const Vector3 a = corner(0), u = corner(k) - a, v = corner(k + 1) - a, w = p - a;
-                const double area = u.x() * v.z() - u.z() * v.x();
-                const double s = (w.x() * v.z() - w.z() * v.x()) / area;
-                const double t = (u.x() * w.z() - u.z() * w.x()) / area;
-                if (s < 0 || t < 0 || s + t > 1) continue;
-                least = std::min(least, w.y() - s * u.y() - t * v.y());
-            }
-        }
-    }
-    return least;
-}
-
-TEST(Contact, AStackOfFallenSheetsLiesInOrderAndNothingHasPassedThrough) {
-    Params p = falling();
-    p.sheet.imperfection = 0.001;
-    World world = world_of(p, four_places());
-    while (world.state().time < 1.5) {
-        run(world, 0.5 * world.tick_duration());
-        ASSERT_EQ(test::count_crossings(world.state()), 0);
-    }
-    const double thickness = contact_thickness(p);
-    for (std::size_t s = 1; s < 4; ++s)
-        EXPECT_GT(least_gap(world.state().sheets[s], world.state().sheets[s - 1]), 0.9 * thickness);
-    EXPECT_LT(world.state().energy.kinetic, 1e-9);
-}
-
-TEST(Contact, WithoutItTheSameSheetsPassThrough) {
-    Params p = falling();
-    p.sheet.imperfection = 0.001;
-    p.contact.sheets = false;
-    p.numerics.tick_rate = 240;  // a sheet of 0.1 mm passes another in a moment
-    World world = world_of(p, four_places());
-    int crossings = 0;
-    while (world.state().time < 0.3) {
-        run(world, 0.5 * world.tick_duration());
-        crossings += test::count_crossings(world.state());
-    }
-    EXPECT_GT(crossings, 10);
-    for (std::size_t s = 1; s < 4; ++s)
-        EXPECT_LT(least_gap(world.state().sheets[s], world.state().sheets[s - 1]),
-                  0.1 * contact_thickness(p));
-}
-
-// Bends a sheet into a U that lies on its side: columns run along two flat arms and half a circle.
-void fold(World& world, double radius) {
-    WorldState state = world.snapshot();
-    SheetState& sheet = state.sheets[0];
-    const int columns = world.scene().sheets[0].columns;
-    const double spacing = world.scene().sheets[0].height / columns;
-    const double arm = 0.5 * (columns * spacing - 3.14159265 * radius);
-    const double bottom = 0.5 * contact_thickness(world.params());
-    for (std::size_t n = 0; n < sheet.mass.size(); ++n) {
-        const double s = spacing * (sheet.site[n] % (columns + 1));
-        const double turn = std::clamp((s - arm) / radius, 0.0, 3.14159265);
-        const double back = std::max(0.0, s - arm - 3.14159265 * radius);
-        const double x = std::min(s, arm) + radius * std::sin(turn) - back;
-        const double y = bottom + radius * (1 - std::cos(turn));
-        sheet.position.set(n, Vector3(x, y, sheet.position.z[n]));
-    }
-    world.restore(std::move(state));
-    static_cast<void>(world.apply(world.params()));
-}
-
-int most_crossings_of_a_fold(bool self) {
-    Params p = test::plain(8, 30);
-    p.world.gravity = kGravity;
-    p.world.ground = true;
-    p.springs.stiffness_scale = 40;
-    p.contact.self = self;
-    World world = world_of(p, {Vector3(0, 0.1, 0)});
-    fold(world, 0.03);
-    int most = 0;
-    while (world.state().time < 1.0) {
-        run(world, 0.5 * world.tick_duration());
-        most = std::max(most, test::count_crossings(world.state()));
-    }
-    return most;
-}
-
-TEST(Contact, ASheetFoldedOntoItselfDoesNotPassThrough) {
-    EXPECT_EQ(most_crossings_of_a_fold(true), 0);
-}
-
-TEST(Contact, WithoutSelfContactItDoes) {
-    EXPECT_GT(most_crossings_of_a_fold(false), 0);
 }
 
 TEST(Contact, SheetsThatCollideKeepTheirMomentum) {
