@@ -9,7 +9,7 @@ void StageClock::begin(Stage) {
 void StageClock::end(Stage stage) {
     const std::chrono::duration<double, std::milli> taken =
         std::chrono::steady_clock::now() - start_;
-    ms_[static_cast<std::size_t>(stage)] += taken.count();
+    ms_[index_of(stage)] += taken.count();
 }
 
 }  // namespace ember

@@ -27,6 +27,11 @@ inline constexpr std::size_t kStageCount = 9;
 inline constexpr std::array<std::string_view, kStageCount> kStageNames = {
     "fire", "coupling", "contact", "springs", "heat", "burning", "shrinkage", "fracture", "check"};
 
+/// Where an array with one element for each stage has the given one.
+[[nodiscard]] constexpr std::size_t index_of(Stage stage) {
+    return static_cast<std::size_t>(stage);
+}
+
 /// Told when stages begin and end; the simulation itself never looks at a clock.
 class StageObserver {
   public:

@@ -22,7 +22,7 @@ double since(Clock::time_point start) {
 class StageTimes final : public StageObserver {
   public:
     void begin(Stage) override { start_ = Clock::now(); }
-    void end(Stage stage) override { seconds_[static_cast<std::size_t>(stage)] += since(start_); }
+    void end(Stage stage) override { seconds_[index_of(stage)] += since(start_); }
     // Of each tick since the last call, on average.
     std::array<double, kStageCount> take(int ticks) {
         std::array<double, kStageCount> taken = seconds_;

@@ -26,7 +26,16 @@ struct ScalingResult {
     double tick = 0;                           // [ms] median
     std::array<double, kStageCount> stages{};  // [ms] medians
     StepCounters work{};                       // of the last tick
+
+    [[nodiscard]] double of_springs() const { return stages[index_of(Stage::Springs)]; }
+    [[nodiscard]] double of_fire() const {
+        return stages[index_of(Stage::Fire)] + stages[index_of(Stage::Coupling)];
+    }
 };
+
+std::string threads_text(int threads) {
+    return std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+}
 
 Params scaling_params(const ScalingCase& c) {
     Params params = bench_params("paper/corner");
@@ -99,11 +108,13 @@ std::vector<ScalingCase> scaling_cases(const BenchOptions& options) {
     teams.push_back(options.threads);
     std::vector<ScalingCase> cases;
     for (const int rows : kRows) {
-        if (options.quick && rows > 256) continue;
+        if (options.quick && rows > 64) continue;
         for (const int threads : teams)
             cases.push_back({rows, rows * 3 / 2, threads, 0});
-        for (const int particles : {2000, 20000, 200000})
+        for (const int particles : {2000, 20000, 200000}) {
+            if (options.quick && particles > 20000) continue;
             cases.push_back({rows, rows * 3 / 2, options.threads, particles});
+        }
     }
     return cases;
 }
@@ -155,11 +166,10 @@ void write_charts(const std::vector<ScalingResult>& results, const std::filesyst
     for (const ScalingResult& r : results) {
         const auto nodes = static_cast<double>(r.nodes);
         if (r.asked.particles > 0) {
-            add_point(particles, size_text(r.asked), static_cast<double>(r.particles),
-                      r.stages[0] + r.stages[1]);
+            add_point(particles, size_text(r.asked), static_cast<double>(r.particles), r.of_fire());
             continue;
         }
-        add_point(threads, std::to_string(r.asked.threads) + " threads", nodes, r.tick);
+        add_point(threads, threads_text(r.asked.threads), nodes, r.tick);
         for (std::size_t s = 0; s < kStageCount && r.asked.threads == 1; ++s)
             add_point(stages, std::string(kStageNames[s]), nodes, r.stages[s]);
     }
@@ -176,10 +186,10 @@ int bench_scaling(const BenchOptions& options) {
         results.push_back(measure(c));
         const ScalingResult& r = results.back();
         std::printf(
-            "%-10s %2d threads %7zu particles %10.3f ms per tick (springs %.3f, fire and "
-            "coupling %.3f)\n",
-            size_text(c).c_str(), c.threads, r.particles, r.tick, r.stages[2],
-            r.stages[0] + r.stages[1]);
+            "%-10s %-10s %7zu particles %10.3f ms per tick (springs %.3f, fire and coupling "
+            "%.3f)\n",
+            size_text(c).c_str(), threads_text(c.threads).c_str(), r.particles, r.tick,
+            r.of_springs(), r.of_fire());
         std::fflush(stdout);
     }
     write_file(options.out / "scaling.csv", scaling_csv(results));

@@ -134,7 +134,8 @@ int bench_stages(const BenchOptions& options, std::vector<std::string> presets) 
             std::printf(
                 "%-20s second %2d %9.3f ms per tick (springs %.3f, fire and coupling "
                 "%.3f)\n",
-                name.c_str(), second.number + 1, total, second.ms[2], second.ms[0] + second.ms[1]);
+                name.c_str(), second.number + 1, total, second.ms[index_of(Stage::Springs)],
+                second.ms[index_of(Stage::Fire)] + second.ms[index_of(Stage::Coupling)]);
         }
         std::fflush(stdout);
     }
