@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include "app/bench/burn_run.h"
 #include "app/bench/shipped_defaults.h"
+#include "app/progress.h"
 #include "sim/integrator.h"
 #include "sim/stability.h"
 
@@ -104,6 +106,21 @@ std::string reference_text(const WorkSetting& setting, const SeedRuns& runs, dou
            "are as good as exact.";
 }
 
+// Each setting with each seed. Says how far it is, since all of them take half an hour.
+void run_burns(const std::vector<WorkSetting>& settings, int threads, std::vector<SeedRuns>& runs) {
+    const std::size_t seeds = runs.front().size(), count = settings.size() * seeds;
+    Progress progress("burns", static_cast<long>(count), Progress::style_of("auto", false));
+    std::mutex one_at_a_time;
+    long done = 0;
+    run_jobs(count, threads, [&](std::size_t i) {
+        const std::size_t which = i / seeds, seed = i % seeds;
+        runs[which][seed] = run_burn(burn_params(settings[which], seed), kDuration);
+        const std::lock_guard lock(one_at_a_time);
+        progress.update(++done);
+    });
+    progress.finish();
+}
+
 }  // namespace
 
 WorkProblem measure_burn(const BenchOptions& options) {
@@ -135,10 +152,7 @@ WorkProblem measure_burn(const BenchOptions& options) {
         all.push_back(point.setting);
 
     std::vector<SeedRuns> runs(all.size(), SeedRuns(seeds));
-    run_jobs(all.size() * seeds, options.threads, [&](std::size_t i) {
-        const std::size_t which = i / seeds, seed = i % seeds;
-        runs[which][seed] = run_burn(burn_params(all[which], seed), kDuration);
-    });
+    run_burns(all, options.threads, runs);
     const std::vector<double> spread = seed_spread(runs[0]);
     const double chaos = burn_errors(runs[1], runs[0], spread)[0];
     problem.floor = std::max(1.0, chaos);
