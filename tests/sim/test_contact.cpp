@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "crossing.h"
 #include "falling_sheets.h"
 #include "sim/contact.h"
 #include "sim/world.h"
