@@ -41,10 +41,9 @@ std::vector<WorkSetting> burn_settings(bool quick) {
         const bool unbounded = std::isinf(stable_step(kind, {.omega = 1, .gamma = 1}));
         const bool adaptive = has_error_control(kind);
         const std::string key = adaptive ? "tolerance" : unbounded ? "substeps_min" : "safety";
-        for (const std::string& value : adaptive ? tolerances : unbounded ? counts : safeties) {
-            settings.push_back(
-                {method, key + ' ' + value, {integrator, "numerics." + key + '=' + value}});
-        }
+        const std::string label = key + ' ', setting = "numerics." + key + '=';
+        for (const std::string& value : adaptive ? tolerances : unbounded ? counts : safeties)
+            settings.push_back({method, label + value, {integrator, setting + value}});
     }
     return settings;
 }
